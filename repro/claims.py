@@ -1,0 +1,166 @@
+"""Claims: one printed number or one sentence, what to measure for it, and what is accepted."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+from repro.errors import DeclarationError
+from repro.measures import Measure, Rank, Statistic
+from repro.model import Experiment, Gap
+from repro.published import Printed, PublishedTable
+from repro.statistics.summary import STATISTICS
+from repro.verdict import Absolute, Tolerance
+
+Role = Literal["problem", "algorithm", "statistic", "quantity"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CellClaim:
+    """One cell of a printed table."""
+
+    table: PublishedTable
+    row: str
+    column: str
+    measure: Measure
+    accepted: Tolerance
+
+    @property
+    def printed(self) -> Printed:
+        """The number as it stands in the table."""
+        return self.table[self.row, self.column]
+
+    @property
+    def where(self) -> str:
+        """The place on the page."""
+        return self.table.where
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Sentence:
+    """One statement of the text, in our words; `measure` is None where a Gap says why."""
+
+    claim: str
+    where: str
+    printed: Printed
+    measure: Measure | None
+    accepted: Tolerance
+    gap: Gap | None = None
+
+    def __post_init__(self) -> None:
+        """Raise DeclarationError unless there is either a measure or a gap."""
+        if (self.measure is None) == (self.gap is None):
+            message = f"claim {self.claim!r} needs either a measure or a Gap that says why not"
+            raise DeclarationError(message)
+
+
+Claim = CellClaim | Sentence
+
+
+def every_cell(
+    table: PublishedTable,
+    *,
+    of: Experiment,
+    rows: tuple[Role, ...],
+    columns: Role,
+    within: Tolerance,
+    std_within: Tolerance | None = None,
+    given: Mapping[Role, str] | None = None,
+    names: Mapping[str, str] | None = None,
+    only: tuple[str, ...] | None = None,
+) -> tuple[CellClaim, ...]:
+    """Return a claim on the statistic that each cell prints.
+
+    `rows` says what each row heading names, `columns` what the column heading names, `given` what
+    neither names, `names` translates a printed heading; `only` keeps some row names. Raises
+    DeclarationError where a heading names nothing that the experiment has.
+    """
+    claims = []
+    for row, headings in zip(table.row_names, table.rows, strict=True):
+        if only is not None and row not in only:
+            continue
+        for column in table.column_names:
+            words = dict(given or {})
+            for role, word in zip((*rows, columns), (*headings, column), strict=True):
+                words[role] = (names or {}).get(word, word)
+            measure = _statistic(f"{table.label}, row {row!r}, column {column!r}", of, words)
+            spread = measure.statistic == "std" and std_within is not None
+            claims.append(
+                CellClaim(
+                    table=table,
+                    row=row,
+                    column=column,
+                    measure=measure,
+                    accepted=std_within if spread and std_within else within,
+                )
+            )
+    return tuple(claims)
+
+
+def computed_cells(
+    table: PublishedTable,
+    *,
+    measure: Callable[[str, str], Measure],
+    within: Tolerance,
+    only: tuple[str, ...] | None = None,
+) -> tuple[CellClaim, ...]:
+    """Return a claim per cell, measured by what `measure` makes of its (row, column)."""
+    return tuple(
+        CellClaim(
+            table=table, row=row, column=column, measure=measure(row, column), accepted=within
+        )
+        for row, column in table.places()
+        if only is None or row in only
+    )
+
+
+def lowest_everywhere(
+    of: Experiment,
+    *,
+    algorithm: str,
+    statistic: str,
+    claim: str,
+    where: str,
+    quantity: str = "cost",
+) -> tuple[Sentence, ...]:
+    """Return one claim per problem: the algorithm's statistic is the lowest, or shares that place.
+
+    `claim` is the sentence in our words; the problem is added to it.
+    """
+    return tuple(
+        Sentence(
+            claim=f"{claim}, on {problem}",
+            where=where,
+            printed=Printed("1", "rank"),
+            measure=Rank(
+                of=Statistic(
+                    experiment=of.name,
+                    problem=problem,
+                    algorithm=algorithm,
+                    statistic=statistic,
+                    quantity=quantity,
+                ),
+                among=tuple(of.algorithms),
+            ),
+            accepted=Absolute(0),
+        )
+        for problem in of.problems
+    )
+
+
+def _statistic(place: str, of: Experiment, words: Mapping[Role, str]) -> Statistic:
+    known: dict[Role, tuple[str, ...]] = {
+        "problem": tuple(of.problems),
+        "algorithm": tuple(of.algorithms),
+        "statistic": tuple(STATISTICS),
+    }
+    for role, names in known.items():
+        if words.get(role) not in names:
+            message = f"{place}: {role} {words.get(role)!r} is none of {', '.join(names)}"
+            raise DeclarationError(message)
+    return Statistic(
+        experiment=of.name,
+        problem=words["problem"],
+        algorithm=words["algorithm"],
+        statistic=words["statistic"],
+        quantity=words.get("quantity", "cost"),
+    )

@@ -1,0 +1,27 @@
+"""What can go wrong, and the exit code that the command line gives for it."""
+
+
+class ReproError(Exception):
+    """An error whose message names the place, the value and the alternatives."""
+
+    exit_code = 2
+
+
+class DeclarationError(ReproError, ValueError):
+    """A paper module declares something that cannot be."""
+
+
+class InputError(ReproError, ValueError):
+    """A caller asked for something that cannot be done."""
+
+
+class StoreError(ReproError):
+    """The store is locked, newer than this program, or damaged."""
+
+    exit_code = 3
+
+
+class ClusterLostError(ReproError):
+    """The cluster went away; what is finished is stored and the next call goes on from there."""
+
+    exit_code = 75

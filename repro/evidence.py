@@ -1,0 +1,53 @@
+"""What the runs of one paper say, arranged for judging."""
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from repro.model import Experiment, Paper
+
+Vector = NDArray[np.float64]
+Cell = tuple[str, str, str]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Runs:
+    """Every run of one algorithm on one problem.
+
+    `costs` (repeats, runs), `points` (repeats, runs, n), `histories` (repeats, runs, iterations),
+    `evaluations` of one run.
+    """
+
+    costs: Vector
+    points: Vector
+    histories: Vector
+    evaluations: int
+
+
+@dataclass(frozen=True, slots=True)
+class Evidence:
+    """Runs by (experiment, problem, algorithm); a cell that was not run whole is absent."""
+
+    paper: Paper
+    runs: Mapping[Cell, Runs]
+
+    def experiment(self, name: str) -> Experiment:
+        """Return the experiment of that name."""
+        return next(e for e in self.paper.experiments if e.name == name)
+
+    def values(self, cell: Cell, quantity: str = "cost") -> Vector:
+        """Return a quantity of every run, shape (repeats, runs).
+
+        It is "cost", "cost after k iterations", or what the problem itself calls `quantity`.
+        """
+        runs = self.runs[cell]
+        if quantity == "cost":
+            return runs.costs
+        if match := re.fullmatch(r"cost after (\d+) iterations", quantity):
+            return np.asarray(runs.histories[..., int(match[1]) - 1])
+        problem = self.experiment(cell[0]).problems[cell[1]]
+        measured: Vector = problem.quantity(quantity, runs.points)
+        return measured

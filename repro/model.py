@@ -1,0 +1,125 @@
+"""What a paper module declares."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from repro.errors import DeclarationError
+from repro.published import PublishedTable
+
+if TYPE_CHECKING:
+    from repro.claims import Claim
+    from repro.figures import Figure
+    from repro.optimisers.search import Optimiser
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Source:
+    """How to cite the paper, as far as the copy at hand says it."""
+
+    authors: str
+    title: str
+    year: int | None = None
+    journal: str | None = None
+    doi: str | None = None
+    note: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Experiment:
+    """Every algorithm on every problem, `runs` times, under the paper's protocol.
+
+    `proposed` is the algorithm that the paper puts forward; the others are compared with it.
+    """
+
+    name: str
+    where: str
+    proposed: str
+    problems: Mapping[str, Any]
+    algorithms: Mapping[str, "Optimiser"]
+    population: int
+    iterations: int
+    runs: int
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Assumption:
+    """A value or rule that the paper leaves open: what we chose, among what, and why."""
+
+    what: str
+    chosen: str
+    alternatives: tuple[str, ...]
+    because: str
+    where: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Erratum:
+    """A place where the print cannot be meant: what it says, what is used, and why."""
+
+    where: str
+    printed: str
+    used: str
+    because: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Gap:
+    """A result that cannot be re-run from the paper, and what is missing."""
+
+    what: str
+    where: str
+    because: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Paper:
+    """One source paper: everything that is printed, open, wrong or missing, as data.
+
+    `inputs` are printed tables that the re-run starts from, `results` those whose every cell is
+    claimed; `summary` says in one sentence what the paper reports.
+    """
+
+    key: str
+    source: Source
+    summary: str
+    experiments: tuple[Experiment, ...]
+    inputs: tuple[PublishedTable, ...]
+    results: tuple[PublishedTable, ...]
+    claims: tuple["Claim", ...]
+    assumptions: tuple[Assumption, ...]
+    errata: tuple[Erratum, ...]
+    gaps: tuple[Gap, ...]
+    figures: tuple["Figure", ...] = ()
+
+    def __post_init__(self) -> None:
+        """Raise DeclarationError where parts of the declaration do not fit together."""
+        self._refuse_unlisted_experiments()
+        self._refuse_unclaimed_cells()
+
+    def _refuse_unlisted_experiments(self) -> None:
+        known = {
+            (e.name, problem, algorithm)
+            for e in self.experiments
+            for problem in e.problems
+            for algorithm in e.algorithms
+        }
+        for claim in self.claims:
+            for cell in claim.measure.cells() if claim.measure else ():
+                if cell not in known:
+                    place = getattr(claim, "claim", None) or f"{claim.where}"
+                    names = ", ".join(sorted({name for name, *_ in known}))
+                    message = f"{self.key}, {place}: no runs {'/'.join(cell)}; experiments: {names}"
+                    raise DeclarationError(message)
+
+    def _refuse_unclaimed_cells(self) -> None:
+        claimed = {
+            (claim.table.label, claim.row, claim.column)
+            for claim in self.claims
+            if hasattr(claim, "table")
+        }
+        for table in self.results:
+            for row, column in table.places():
+                if (table.label, row, column) not in claimed:
+                    message = f"{self.key}, {table.label}: cell ({row}, {column}) has no claim"
+                    raise DeclarationError(message)

@@ -1,0 +1,230 @@
+"""Numbers and tables as they are printed: text, unit, place and rounding."""
+
+import math
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Self
+
+from repro.errors import DeclarationError
+
+# Factors from the printed unit to SI. Percent stays percent: it is compared with percent.
+UNITS = {
+    "": 1.0,
+    "%": 1.0,
+    "rank": 1.0,
+    "s": 1.0,
+    "m": 1.0,
+    "mm": 1e-3,
+    "rad": 1.0,
+    "rad/s": 1.0,
+    "rad/s^2": 1.0,
+    "rad/s^3": 1.0,
+    "deg": math.pi / 180,
+    "deg/s": math.pi / 180,
+    "deg/s^2": math.pi / 180,
+    "deg/s^3": math.pi / 180,
+}
+WORDS = "text"
+
+_DECIMAL = re.compile(
+    r"(?P<digits>[-+]?\d+(?:\.(?P<decimals>\d+))?)"
+    r"(?:\s*[×x]\s*10(?:\^(?P<power>[-+]?\d+))?|[eE](?P<e>[-+]?\d+))?"
+)
+_PI = re.compile(r"(?P<sign>-?)(?P<times>\d*)π(?:/(?P<over>\d+))?")
+_HEADING = re.compile(r"(?P<name>[^\[\]]+?)\s*(?:\[(?P<unit>[^\]]*)\])?")
+
+
+@dataclass(frozen=True, slots=True)
+class Printed:
+    """A number as it stands on the page: the text is the datum, the value follows from it."""
+
+    text: str
+    unit: str = ""
+
+    def __post_init__(self) -> None:
+        """Raise DeclarationError for an unknown unit or a text that is no number."""
+        if self.unit not in UNITS:
+            raise DeclarationError(_unknown_unit(self.text, self.unit))
+        if not (_DECIMAL.fullmatch(self._plain) or _PI.fullmatch(self._plain)):
+            message = f"{self.text!r} is not a number"
+            raise DeclarationError(message)
+
+    @property
+    def _plain(self) -> str:
+        return self.text.replace("−", "-").strip()
+
+    @property
+    def value(self) -> float:
+        """Value in the printed unit."""
+        if match := _PI.fullmatch(self._plain):
+            size = math.pi * int(match["times"] or 1) / int(match["over"] or 1)
+            return -size if match["sign"] else size
+        digits, power = self._parts()
+        return float(f"{digits}e{power}")
+
+    @property
+    def rounding(self) -> float:
+        """Half a unit of the last printed digit, in the printed unit; 0 for multiples of π."""
+        if _PI.fullmatch(self._plain):
+            return 0.0
+        digits, power = self._parts()
+        decimals = len(digits.partition(".")[2])
+        return 0.5 * float(f"1e{power - decimals}")
+
+    @property
+    def si(self) -> float:
+        """Value in SI units."""
+        return self.value * UNITS[self.unit]
+
+    def _parts(self) -> tuple[str, int]:
+        match = _DECIMAL.fullmatch(self._plain)
+        if match is None:  # excluded when the number was made
+            raise DeclarationError(self.text)
+        scientific = "×" in self._plain or "x" in self._plain
+        return match["digits"], int(match["power"] or match["e"] or (1 if scientific else 0))
+
+
+@dataclass(frozen=True, slots=True)
+class Column:
+    """A heading: its name and the unit that every cell below it is printed in."""
+
+    name: str
+    unit: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PublishedTable:
+    """A table as the page shows it; cells are found by row name and column name."""
+
+    label: str
+    where: str
+    headings: tuple[str, ...]
+    columns: tuple[Column, ...]
+    rows: tuple[tuple[str, ...], ...]
+    cells: tuple[tuple[Printed | str, ...], ...]
+
+    @classmethod
+    def read(cls, page: str) -> Self:
+        """Return the table drawn in `page`.
+
+        The first line says where it stands. The second has the headings, with units in brackets;
+        `||` (or else the first `|`) parts the row headings from the values. A blank row heading
+        repeats the one above. Raises DeclarationError with the table, row and text at fault.
+        """
+        where, heading, *body = [line.strip() for line in page.strip().splitlines() if line.strip()]
+        label = where.partition(",")[0]
+        names, titles = _split(label, heading)
+        columns = tuple(_column(label, title) for title in titles)
+        rows: list[tuple[str, ...]] = []
+        cells = []
+        for line in body:
+            row, texts = _split(label, line)
+            if len(row) != len(names) or len(texts) != len(columns):
+                message = (
+                    f"{label}, row {' '.join(row)!r}: {len(row)} + {len(texts)} cells, "
+                    f"but the heading has {len(names)} + {len(columns)}"
+                )
+                raise DeclarationError(message)
+            above = rows[-1] if rows else row
+            rows.append(tuple(own or old for own, old in zip(row, above, strict=True)))
+            cells.append(_read_row(label, " ".join(rows[-1]), texts, columns))
+        _refuse_repeats(label, [" ".join(row) for row in rows])
+        _refuse_repeats(label, [column.name for column in columns])
+        return cls(
+            label=label,
+            where=where,
+            headings=names,
+            columns=columns,
+            rows=tuple(rows),
+            cells=tuple(cells),
+        )
+
+    @property
+    def row_names(self) -> tuple[str, ...]:
+        """Printed row headings, joined by a space, from top to bottom."""
+        return tuple(" ".join(row) for row in self.rows)
+
+    @property
+    def column_names(self) -> tuple[str, ...]:
+        """Printed column headings without units, from left to right."""
+        return tuple(column.name for column in self.columns)
+
+    def __getitem__(self, place: tuple[str, str]) -> Printed:
+        """Return the number at (row, column); DeclarationError names the known places."""
+        row, column = place
+        i = _position(self.label, "row", row, self.row_names)
+        cell = self.cells[i][_position(self.label, "column", column, self.column_names)]
+        if isinstance(cell, str):
+            message = f"{self.label}, row {row!r}, column {column!r}: {cell!r} is not a number"
+            raise DeclarationError(message)
+        return cell
+
+    def column(self, name: str) -> tuple[float, ...]:
+        """Values of one column in SI units, from top to bottom."""
+        return tuple(self[row, name].si for row in self.row_names)
+
+    def points(self) -> tuple[tuple[float, ...], ...]:
+        """Values row by row in SI units."""
+        return tuple(
+            tuple(self[row, name].si for name in self.column_names) for row in self.row_names
+        )
+
+    def places(self) -> Iterator[tuple[str, str]]:
+        """Yield (row, column) of every number, row by row."""
+        for row, cells in zip(self.row_names, self.cells, strict=True):
+            for column, cell in zip(self.columns, cells, strict=True):
+                if isinstance(cell, Printed):
+                    yield row, column.name
+
+
+def _split(label: str, line: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    left, bar, right = line.partition("||" if "||" in line else "|")
+    if not bar:
+        message = f"{label}: no '|' in the line {line!r}"
+        raise DeclarationError(message)
+    return tuple(part.strip() for part in left.split("|")), tuple(
+        part.strip() for part in right.split("|")
+    )
+
+
+def _column(label: str, title: str) -> Column:
+    match = _HEADING.fullmatch(title)
+    if match is None:
+        message = f"{label}: heading {title!r} is not 'name' or 'name [unit]'"
+        raise DeclarationError(message)
+    unit = match["unit"] or ""
+    if unit not in UNITS and unit != WORDS:
+        raise DeclarationError(_unknown_unit(f"{label}, heading {title!r}", unit))
+    return Column(match["name"], unit)
+
+
+def _read_row(
+    label: str, row: str, texts: tuple[str, ...], columns: tuple[Column, ...]
+) -> tuple[Printed | str, ...]:
+    try:
+        return tuple(
+            text if column.unit == WORDS else Printed(text, column.unit)
+            for text, column in zip(texts, columns, strict=True)
+        )
+    except DeclarationError as error:
+        message = f"{label}, row {row!r}: {error}"
+        raise DeclarationError(message) from None
+
+
+def _unknown_unit(place: str, unit: str) -> str:
+    return f"{place}: unknown unit {unit!r}; known: {', '.join(filter(None, UNITS))}, {WORDS}"
+
+
+def _refuse_repeats(label: str, names: list[str]) -> None:
+    for name in names:
+        if names.count(name) > 1:
+            message = f"{label}: {name!r} stands there twice"
+            raise DeclarationError(message)
+
+
+def _position(label: str, kind: str, name: str, known: tuple[str, ...]) -> int:
+    if name not in known:
+        message = f"{label} has no {kind} {name!r}; it has {', '.join(map(repr, known))}"
+        raise DeclarationError(message)
+    return known.index(name)

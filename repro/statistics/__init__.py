@@ -1,0 +1,1 @@
+"""Statistics of tables of runs: summaries that survive tiny values, resampling, rank tests."""

@@ -1,0 +1,52 @@
+"""The four statistics that tables of runs print, along the last axis of an array.
+
+Costs of 1e-200 are common, and their squares underflow; so spread is computed on values scaled by
+a power of two, which is exact.
+"""
+
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+
+import numpy as np
+from numpy.typing import NDArray
+
+Vector = NDArray[np.float64]
+
+
+def best(costs: Vector) -> Vector:
+    """Return the least value."""
+    return np.asarray(costs.min(axis=-1))
+
+
+def worst(costs: Vector) -> Vector:
+    """Return the greatest value."""
+    return np.asarray(costs.max(axis=-1))
+
+
+def mean(costs: Vector) -> Vector:
+    """Return the arithmetic mean; equal values give exactly that value."""
+    scaled, exponent = _scaled(costs)
+    return _where_equal(costs, costs[..., 0], np.ldexp(scaled.mean(axis=-1), exponent))
+
+
+def standard_deviation(costs: Vector) -> Vector:
+    """Return the sample standard deviation (n-1); equal values give exactly 0."""
+    scaled, exponent = _scaled(costs)
+    spread = np.ldexp(scaled.std(axis=-1, ddof=1), exponent)
+    return _where_equal(costs, np.zeros(costs.shape[:-1]), spread)
+
+
+def _scaled(costs: Vector) -> tuple[Vector, NDArray[np.int32]]:
+    exponent = np.frexp(np.abs(costs).max(axis=-1))[1]
+    return np.ldexp(costs, -exponent[..., None]), exponent
+
+
+def _where_equal(costs: Vector, then: Vector, otherwise: Vector) -> Vector:
+    # 30 values of 1.1 have a rounded mean that is not 1.1 and a spread that is not 0
+    return np.where(np.ptp(costs, axis=-1) == 0.0, then, otherwise)
+
+
+STATISTICS: Mapping[str, Callable[[Vector], Vector]] = MappingProxyType(
+    {"best": best, "worst": worst, "mean": mean, "std": standard_deviation}
+)
+"""By the name under which papers print them."""

@@ -1,0 +1,126 @@
+"""A measured interval against an accepted band."""
+
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import Protocol
+
+from repro.published import Printed
+
+Interval = tuple[float, float]
+
+# A printed 0 can stand for anything that the arithmetic of a table rounds to it. A fitness is 0
+# below the smallest normal double; a standard deviation is 0 where the squares of the differences
+# underflow, at the square root of the smallest subnormal double.
+ZERO_FITNESS = 2.2250738585072014e-308
+ZERO_STD = 2.2227587494850775e-162
+
+
+class Verdict(StrEnum):
+    """What is said of a printed number; the value is the words shown."""
+
+    REPRODUCED = "reproduced"
+    CONTRADICTED = "contradicted"
+    UNDECIDED = "undecided"
+    NOT_REPRODUCIBLE = "not reproducible"
+    NOT_RUN = "not run"
+
+
+class Tolerance(Protocol):
+    """How far from the printed number a measured one may lie; declared before the runs."""
+
+    def band(self, printed: Printed) -> Interval:
+        """Return the accepted band in the printed unit."""
+
+    @property
+    def words(self) -> str:
+        """The tolerance as a phrase."""
+
+
+@dataclass(frozen=True, slots=True)
+class Percent:
+    """Within a share of the printed value, and its rounding."""
+
+    share: float
+
+    def band(self, printed: Printed) -> Interval:
+        """Return printed ± share ± rounding."""
+        slack = abs(printed.value) * self.share / 100 + printed.rounding
+        return printed.value - slack, printed.value + slack
+
+    @property
+    def words(self) -> str:
+        """The tolerance as a phrase."""
+        return f"within {self.share:g} % and the printed rounding"
+
+
+@dataclass(frozen=True, slots=True)
+class Absolute:
+    """Within an amount in the printed unit, and the rounding."""
+
+    amount: float
+
+    def band(self, printed: Printed) -> Interval:
+        """Return printed ± amount ± rounding."""
+        slack = self.amount + printed.rounding
+        return printed.value - slack, printed.value + slack
+
+    @property
+    def words(self) -> str:
+        """The tolerance as a phrase."""
+        return f"within {self.amount:g} and the printed rounding" if self.amount else "as printed"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Fitness:
+    """Near zero within decades, elsewhere within a share; a printed 0 means below `zero`."""
+
+    decades: float
+    near_zero: float
+    percent: float
+    zero: float = ZERO_FITNESS
+
+    def band(self, printed: Printed) -> Interval:
+        """Return the accepted band of a non-negative fitness."""
+        if printed.value == 0:
+            return 0.0, self.zero
+        if printed.value >= self.near_zero:
+            return Percent(self.percent).band(printed)
+        factor = 10.0**self.decades
+        low, high = printed.value - printed.rounding, printed.value + printed.rounding
+        return low / factor, high * factor
+
+    @property
+    def words(self) -> str:
+        """The tolerance as a phrase."""
+        return (
+            f"within {self.percent:g} %, below {self.near_zero:g} within a factor "
+            f"{10**self.decades:g}; a printed 0 means below {self.zero:.0e}"
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Between:
+    """Inside a fixed band: the declared reading of a sentence that prints no number."""
+
+    low: float
+    high: float
+
+    def band(self, _printed: Printed) -> Interval:
+        """Return the band as declared."""
+        return self.low, self.high
+
+    @property
+    def words(self) -> str:
+        """The tolerance as a phrase."""
+        return f"between {self.low:g} and {self.high:g}"
+
+
+def judge(measured: Interval, accepted: Interval) -> tuple[Verdict, str | None]:
+    """Return the verdict, and for a contradicted number on which side the measured one lies."""
+    if measured[1] < accepted[0]:
+        return Verdict.CONTRADICTED, "lower"
+    if measured[0] > accepted[1]:
+        return Verdict.CONTRADICTED, "higher"
+    if accepted[0] <= measured[0] and measured[1] <= accepted[1]:
+        return Verdict.REPRODUCED, None
+    return Verdict.UNDECIDED, None
