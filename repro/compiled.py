@@ -1,0 +1,52 @@
+"""Compilation: one signature per kind of kernel, cached beside the package and never stale.
+
+numba decides from one file's time stamp whether its cached machine code is current; it does not
+see a change in a function that the file calls. So the cache lives in a folder named after a
+digest of every compiled source, and a change anywhere starts a fresh one.
+"""
+
+import hashlib
+import os
+import threading
+from pathlib import Path
+from typing import Any
+
+import numba
+from numba.types import FunctionType, Tuple, float64, int64, uint64
+
+_PACKAGE = Path(__file__).parent
+_LOCK = threading.Lock()
+
+
+def _digest() -> str:
+    sources = [_PACKAGE / "draws.py", *sorted(_PACKAGE.glob("*/*.py"))]
+    text = b"".join(path.read_bytes() for path in sources)
+    return hashlib.sha256(text).hexdigest()[:16]
+
+
+_CACHE = _PACKAGE / "__pycache__" / f"numba-{_digest()}"
+_CACHED = bool(numba.config.CACHE_DIR) or os.access(_PACKAGE, os.W_OK)
+if not numba.config.CACHE_DIR:
+    numba.config.CACHE_DIR = str(_CACHE)
+
+jit = numba.njit(nogil=True, cache=_CACHED)
+"""Decorator of every compiled function: no Python objects, no GIL, cached on disk."""
+
+VECTOR = float64[::1]
+COST = float64(VECTOR, VECTOR)
+"""Cost kernel: (point, data of the problem) to cost."""
+
+SEARCH = Tuple((VECTOR, float64, VECTOR, int64))(
+    FunctionType(COST), VECTOR, float64[:, ::1], int64, int64, VECTOR, uint64[::1]
+)
+"""Search kernel: (cost, data, bounds, population, iterations, parameters, random state) to
+(best point, best cost, history, evaluations)."""
+
+
+def ready(kernel: Any, signature: Any) -> Any:  # noqa: ANN401 (numba ships no types)
+    """Return `kernel` compiled for `signature` alone, so that it passes as a first-class function."""
+    with _LOCK:
+        if not kernel.signatures:
+            kernel.compile(signature)
+            kernel.disable_compile()
+    return kernel

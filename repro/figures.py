@@ -1,0 +1,45 @@
+"""Figures of a paper that get a counterpart, as data; the report draws them."""
+
+from dataclasses import dataclass
+
+from repro.robotics import Convention, MinimumTime
+from repro.robotics.kinematics import DHRow
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Convergence:
+    """Best cost against iterations of every algorithm of an experiment, one panel per problem."""
+
+    label: str
+    caption: str
+    experiment: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Motion:
+    """Angle, velocity and acceleration of every joint over time.
+
+    `durations` in s are fixed ones; where None, those that `algorithms` reach on average.
+    """
+
+    label: str
+    caption: str
+    problem: MinimumTime
+    durations: tuple[float, ...] | None = None
+    experiment: str = ""
+    algorithms: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ToolPath:
+    """Path of the last frame in space, with the waypoints."""
+
+    label: str
+    caption: str
+    problem: MinimumTime
+    dh: tuple[DHRow, ...]
+    convention: Convention
+    printed_waypoints: tuple[tuple[float, ...], ...]
+
+
+Figure = Convergence | Motion | ToolPath

@@ -1,0 +1,90 @@
+"""What a benchmark function is: a compiled cost with its box and its true minimum."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from repro.compiled import COST, ready
+from repro.errors import InputError
+
+Vector = NDArray[np.float64]
+NO_DATA: Vector = np.zeros(0)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Function:
+    """A benchmark function of any dimension, or of one fixed dimension.
+
+    `box` holds (lower, upper) per coordinate, one pair for all coordinates where the dimension
+    is free; `at` holds one minimiser in the same way. `minimum` is the true minimum in exact
+    arithmetic.
+    """
+
+    name: str
+    title: str
+    kernel: Any
+    box: tuple[tuple[float, float], ...]
+    minimum: float
+    at: tuple[float, ...]
+    source: str
+    fixed_dimension: int | None = None
+
+    def __call__(self, x: Vector) -> float:
+        """Return the value at one point of shape (n,)."""
+        point = np.ascontiguousarray(x, dtype=np.float64)
+        if point.ndim != 1:
+            message = f"{self.name} takes one point of shape (n,), not an array of {point.shape}"
+            raise InputError(message)
+        self._checked(len(point))
+        return float(ready(self.kernel, COST)(point, NO_DATA))
+
+    def minimiser(self, dimension: int | None = None) -> Vector:
+        """Return one point of shape (dimension,) that attains the minimum."""
+        n = self._checked(dimension)
+        return np.array(self.at if self.fixed_dimension else self.at * n)
+
+    def problem(self, dimension: int | None = None) -> "BenchmarkProblem":
+        """Return the problem of minimising this function on its box."""
+        return BenchmarkProblem(function=self, dimension=self._checked(dimension))
+
+    def _checked(self, dimension: int | None) -> int:
+        n = self.fixed_dimension if dimension is None else dimension
+        if n is None:
+            message = f"{self.name} has no dimension of its own: give dimension=30, say"
+            raise InputError(message)
+        if n < 1 or (self.fixed_dimension and n != self.fixed_dimension):
+            allowed = self.fixed_dimension or "1 or more"
+            message = f"{self.name}: dimension {n} is impossible; it may be {allowed}"
+            raise InputError(message)
+        return n
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BenchmarkProblem:
+    """Minimise a benchmark function on its box."""
+
+    function: Function
+    dimension: int
+
+    @property
+    def bounds(self) -> Vector:
+        """Lower and upper bound of each coordinate, shape (dimension, 2)."""
+        repeats = 1 if self.function.fixed_dimension else self.dimension
+        return np.tile(np.array(self.function.box), (repeats, 1))
+
+    @property
+    def kernel(self) -> Any:  # noqa: ANN401 (numba ships no types)
+        """Compiled cost."""
+        return self.function.kernel
+
+    @property
+    def data(self) -> Vector:
+        """Nothing: a benchmark function has no parameters."""
+        return NO_DATA
+
+    @property
+    def identity(self) -> tuple[object, ...]:
+        """What the cost depends on besides source code."""
+        return (self.function.name, self.dimension)

@@ -1,0 +1,72 @@
+"""Functions with many basins and a free dimension.
+
+X. Yao, Y. Liu, G. Lin, Evolutionary programming made faster, IEEE Transactions on Evolutionary
+Computation 3(2) (1999) 82-102, doi:10.1109/4235.771163. Alpine N.1 is not among its 23; M. Jamil,
+X.-S. Yang, A literature survey of benchmark functions for global optimization problems,
+arXiv:1308.4008 (2013), has it.
+"""
+
+import math
+
+from repro.compiled import jit
+from repro.functions.function import Function
+
+_YAO = "Yao, Liu & Lin (1999)"
+
+
+@jit
+def _rastrigin(x, data):  # noqa: ARG001 (every cost kernel has the same two arguments)
+    total = 0.0
+    for value in x:
+        total += value * value - 10.0 * math.cos(2.0 * math.pi * value)
+    # 10n after the sum, as the programs of the whale and wolf papers have it: the smallest value
+    # above zero is then 5.7e-14 at n = 30, against 1.8e-15 if 10 is added term by term
+    return total + 10.0 * len(x)
+
+
+@jit
+def _ackley(x, data):  # noqa: ARG001
+    squares = 0.0
+    waves = 0.0
+    for value in x:
+        squares += value * value
+        waves += math.cos(2.0 * math.pi * value)
+    n = len(x)
+    return -20.0 * math.exp(-0.2 * math.sqrt(squares / n)) - math.exp(waves / n) + 20.0 + math.e
+
+
+@jit
+def _alpine_1(x, data):  # noqa: ARG001
+    total = 0.0
+    for value in x:
+        total += abs(value * math.sin(value) + 0.1 * value)
+    return total
+
+
+rastrigin = Function(
+    name="rastrigin",
+    title="Rastrigin",
+    kernel=_rastrigin,
+    box=((-5.12, 5.12),),
+    minimum=0.0,
+    at=(0.0,),
+    source=f"{_YAO}, f9",
+)
+ackley = Function(
+    name="ackley",
+    title="Ackley",
+    kernel=_ackley,
+    box=((-32.0, 32.0),),
+    minimum=0.0,
+    at=(0.0,),
+    source=f"{_YAO}, f10",
+)
+alpine_1 = Function(
+    name="alpine_1",
+    title="Alpine N.1",
+    kernel=_alpine_1,
+    box=((-10.0, 10.0),),
+    minimum=0.0,
+    at=(0.0,),  # one of the 8 zeros of every coordinate: x = 0 and sin(x) = -0.1
+    source="Jamil & Yang (2013), Alpine 1",
+)

@@ -1,0 +1,27 @@
+"""Optimisers, one file per algorithm, each a frozen dataclass of its parameters."""
+
+from repro.optimisers.differential_evolution import DE
+from repro.optimisers.dung_beetle import DBO
+from repro.optimisers.genetic import GA
+from repro.optimisers.gravitational import GSA
+from repro.optimisers.grey_wolf import GWO
+from repro.optimisers.hybrid_whale import HybridWOA
+from repro.optimisers.particle_swarm import PSO
+from repro.optimisers.search import Optimiser, Problem, Result
+from repro.optimisers.slime_mould import SMA
+from repro.optimisers.whale import WOA
+
+__all__ = [
+    "DBO",
+    "DE",
+    "GA",
+    "GSA",
+    "GWO",
+    "PSO",
+    "SMA",
+    "WOA",
+    "HybridWOA",
+    "Optimiser",
+    "Problem",
+    "Result",
+]

@@ -1,0 +1,132 @@
+"""GSA, the gravitational search algorithm, as its first author's program runs it.
+
+E. Rashedi, H. Nezamabadi-pour, S. Saryazdi, GSA: a gravitational search algorithm, Information
+Sciences 179(13) (2009) 2232-2248, doi:10.1016/j.ins.2009.03.004, with E. Rashedi's GSA.m, version
+1.1 of 2010 (MATLAB Central File Exchange 27756). The program's choices:
+
+- a coordinate that left the box is drawn anew from it (`bounds="re-initialise"`), which matters
+  on functions of few dimensions; later copies put it on the bound (`bounds="clip"`);
+- the force falls with the distance R, not with its square;
+- the mass of the pulled agent cancels, so its acceleration is summed at once;
+- velocities know no limit, and are kept when a coordinate is drawn anew;
+- the K heaviest agents pull; K falls from N to `final_percent` of N, rounded to whole agents,
+  so below 25 agents nobody pulls at the very end.
+"""
+
+import math
+from dataclasses import dataclass
+from typing import Literal, Unpack
+
+import numpy as np
+
+from repro.compiled import jit
+from repro.draws import uniform
+from repro.errors import InputError
+from repro.optimisers.population import clip, copy_into, uniform_population
+from repro.optimisers.search import Budget, Problem, Result, search
+
+_EPS = float(np.finfo(np.float64).eps)
+
+
+@jit
+def _gsa(cost, data, bounds, population, iterations, parameters, state):
+    G0, alpha, final_percent = parameters[:3]
+    clips = parameters[3] == 1.0
+    X = uniform_population(bounds, population, state)
+    V = np.zeros_like(X)
+    pull = np.empty_like(X)
+    costs = np.empty(population)
+    best = np.zeros(bounds.shape[0])
+    best_cost = np.inf
+    history = np.empty(iterations)
+    for t in range(1, iterations + 1):
+        for i in range(population):
+            _hold(X[i], bounds, clips, state)
+            costs[i] = cost(X[i], data)
+            if costs[i] < best_cost:
+                best_cost = costs[i]
+                copy_into(best, X[i])
+        history[t - 1] = best_cost
+        G = G0 * math.exp(-alpha * t / iterations)
+        percent = final_percent + (1.0 - t / iterations) * (100.0 - final_percent)
+        K = int(population * percent / 100.0 + 0.5)
+        M = _masses(costs)
+        heaviest = np.argsort(-M, kind="mergesort")[:K]
+        for i in range(population):
+            _attract(pull[i], X, i, M, heaviest, state)
+        for i in range(population):
+            _fly(X[i], V[i], pull[i], G, state)
+    return best, best_cost, history, population * iterations
+
+
+@jit
+def _hold(x, bounds, clips, state):
+    if clips:
+        clip(x, bounds)
+        return
+    for j in range(len(x)):
+        lower, upper = bounds[j]
+        if not lower <= x[j] <= upper:
+            x[j] = lower + (upper - lower) * uniform(state)
+
+
+@jit
+def _masses(costs):
+    """Return masses that add up to 1: none for the worst agent, equal ones if all are equal."""
+    best, worst = costs.min(), costs.max()
+    M = np.ones_like(costs)
+    total = 0.0
+    for i in range(len(costs)):
+        if best != worst:
+            M[i] = (costs[i] - worst) / (best - worst)
+        total += M[i]
+    return M / total
+
+
+@jit
+def _attract(pull, X, i, M, heaviest, state):
+    """Write the acceleration of agent i over `pull`, without the factor G."""
+    n = X.shape[1]
+    pull[:] = 0.0
+    for k in heaviest:
+        if k == i:
+            continue
+        squares = 0.0
+        for j in range(n):
+            squares += (X[i, j] - X[k, j]) * (X[i, j] - X[k, j])
+        R = math.sqrt(squares)
+        for j in range(n):
+            pull[j] += uniform(state) * M[k] * (X[k, j] - X[i, j]) / (R + _EPS)
+
+
+@jit
+def _fly(x, v, pull, G, state):
+    for j in range(len(x)):
+        v[j] = uniform(state) * v[j] + G * pull[j]
+        x[j] += v[j]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class GSA:
+    """Gravitational search; `strength` is G0, `decay` alpha of G = G0·exp(-alpha·t/T).
+
+    `final_percent` of the agents pull in the last iteration; `bounds` says what becomes of a
+    coordinate that leaves the box.
+    """
+
+    strength: float = 100.0
+    decay: float = 20.0
+    final_percent: float = 2.0
+    bounds: Literal["re-initialise", "clip"] = "re-initialise"
+
+    def __post_init__(self) -> None:
+        """Raise InputError for a percentage outside [0, 100]."""
+        if not 0 <= self.final_percent <= 100:
+            message = f"final_percent={self.final_percent} lies not between 0 and 100"
+            raise InputError(message)
+
+    def minimise(self, problem: Problem, **budget: Unpack[Budget]) -> Result:
+        """Return the best point found by N·T evaluations; see `Optimiser`."""
+        clips = 1.0 if self.bounds == "clip" else 0.0
+        parameters = (self.strength, self.decay, self.final_percent, clips)
+        return search(_gsa, problem, parameters=parameters, **budget)

@@ -1,0 +1,68 @@
+"""GWO, the grey wolf optimizer, as its authors' program runs it.
+
+S. Mirjalili, S. M. Mirjalili, A. Lewis, Grey Wolf Optimizer, Advances in Engineering Software 69
+(2014) 46-61, doi:10.1016/j.advengsoft.2013.12.007, with the authors' GWO.m (github
+alimirjalili/GWO, addb3d0). Where the two differ the program is followed: the leaders are the
+best wolves of the whole history, and a dethroned leader is forgotten, not moved down a rank.
+"""
+
+from dataclasses import dataclass
+from typing import Unpack
+
+import numpy as np
+
+from repro.compiled import jit
+from repro.draws import uniform
+from repro.optimisers.population import clip, copy_into, uniform_population
+from repro.optimisers.search import Budget, Problem, Result, search
+
+
+@jit
+def _gwo(cost, data, bounds, population, iterations, parameters, state):  # noqa: ARG001
+    X = uniform_population(bounds, population, state)
+    leaders = np.zeros((3, bounds.shape[0]))  # alpha, beta, delta
+    costs = np.full(3, np.inf)
+    history = np.empty(iterations)
+    for t in range(iterations):
+        for i in range(population):
+            clip(X[i], bounds)
+            _rank(X[i], cost(X[i], data), leaders, costs)
+        history[t] = costs[0]
+        a = 2.0 - 2.0 * t / iterations
+        for i in range(population):
+            _follow(X[i], leaders, a, state)
+    return leaders[0].copy(), costs[0], history, population * iterations
+
+
+@jit
+def _rank(x, value, leaders, costs):
+    # three independent tests in this order; a tie with a leader ranks nowhere
+    if value < costs[0]:
+        costs[0] = value
+        copy_into(leaders[0], x)
+    if value > costs[0] and value < costs[1]:
+        costs[1] = value
+        copy_into(leaders[1], x)
+    if value > costs[0] and value > costs[1] and value < costs[2]:
+        costs[2] = value
+        copy_into(leaders[2], x)
+
+
+@jit
+def _follow(x, leaders, a, state):
+    for j in range(len(x)):
+        total = 0.0
+        for k in range(3):
+            A = 2.0 * a * uniform(state) - a  # Eq. (3.3)
+            C = 2.0 * uniform(state)  # Eq. (3.4)
+            total += leaders[k, j] - A * abs(C * leaders[k, j] - x[j])  # Eqs. (3.5)-(3.6)
+        x[j] = total / 3.0  # Eq. (3.7)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class GWO:
+    """Grey wolf optimizer; it has no parameters."""
+
+    def minimise(self, problem: Problem, **budget: Unpack[Budget]) -> Result:
+        """Return the best point found by N·T evaluations; see `Optimiser`."""
+        return search(_gwo, problem, **budget)

@@ -1,0 +1,284 @@
+"""Whale optimisation with additions: other schedules, evolution of some whales, chaos.
+
+With every addition off this is WOA, draw for draw. The additions are those that improved whale
+papers combine: a Tent map start; other courses of a, b and of the choice between encircling and
+spiral; differential evolution of the worst whales (R. Storn, K. Price, Journal of Global
+Optimization 11 (1997) 341-359, doi:10.1023/A:1008202821328, strategy rand/1/bin); arithmetic
+crossover with Gaussian perturbation of the best whales; a shrinking chaotic disturbance of the
+best point. Evolution acts on the whales just evaluated, so each candidate meets its parent's
+cost; every candidate costs one evaluation more than WOA spends.
+"""
+
+import math
+from dataclasses import dataclass
+from typing import Literal, Unpack
+
+import numpy as np
+
+from repro.compiled import jit
+from repro.draws import below, normal, uniform
+from repro.errors import InputError
+from repro.optimisers.population import clip, copy_into, uniform_population
+from repro.optimisers.search import Budget, Problem, Result, Spending, search
+
+_LEAST = 4  # rand/1/bin needs three whales besides the one that it changes
+
+
+# places of the parameters in the vector that the kernel is given
+(
+    START,
+    CONTROL,
+    SPIRAL_FIRST,
+    SPIRAL_LAST,
+    PROBABILITY,
+    SELECTS,
+    VECTOR,
+    LEADER,
+    SPIRAL_RANGE,
+    WORST,
+    SCALE,
+    CROSSOVER,
+    FITTEST,
+    MUTATION,
+    GREEDY,
+    DISTURBANCE,
+) = range(16)
+
+
+@jit
+def _hybrid(cost, data, bounds, population, iterations, parameters, state):
+    worst, fittest = int(parameters[WORST]), int(parameters[FITTEST])
+    disturbance = parameters[DISTURBANCE]
+    X = _start(bounds, population, parameters[START], state)
+    costs = np.empty(population)
+    best = np.zeros(bounds.shape[0])
+    best_cost = np.inf
+    history = np.empty(iterations)
+    for t in range(iterations):
+        for i in range(population):
+            clip(X[i], bounds)
+            costs[i] = cost(X[i], data)
+            if costs[i] < best_cost:
+                best_cost = costs[i]
+                copy_into(best, X[i])
+        if worst + fittest > 0:
+            best_cost = _evolve(cost, data, bounds, X, costs, best, best_cost, parameters, state)
+        if disturbance > 0.0:
+            amplitude = disturbance * (1.0 - t / iterations)
+            best_cost = _disturb(cost, data, bounds, best, best_cost, amplitude, state)
+        history[t] = best_cost
+        _move(X, best, t, iterations, parameters, state)
+    extra = worst + fittest + (1 if disturbance > 0.0 else 0)
+    return best, best_cost, history, iterations * (population + extra)
+
+
+@jit
+def tent(z):
+    """Return the next value of the Tent map with slope 2 on [0, 1]."""
+    return z / 0.5 if z < 0.5 else (1.0 - z) / 0.5
+
+
+@jit
+def _start(bounds, population, kind, state):
+    if kind == 0.0:
+        return uniform_population(bounds, population, state)
+    n = bounds.shape[0]
+    Z = np.empty((population, n))
+    if kind == 1.0:
+        for j in range(n):
+            Z[0, j] = uniform(state)
+            for i in range(1, population):
+                Z[i, j] = tent(Z[i - 1, j])
+    else:
+        for i in range(population):
+            Z[i, 0] = uniform(state)
+            for j in range(1, n):
+                Z[i, j] = tent(Z[i, j - 1])
+    for j in range(n):
+        for i in range(population):
+            Z[i, j] = bounds[j, 0] + (bounds[j, 1] - bounds[j, 0]) * Z[i, j]
+    return Z
+
+
+@jit
+def _differential(X, i, F, CR, state):
+    population, n = X.shape
+    r1 = r2 = r3 = i
+    while r1 == i:
+        r1 = below(population, state)
+    while r2 in (i, r1):
+        r2 = below(population, state)
+    while r3 in (i, r1, r2):
+        r3 = below(population, state)
+    U = X[i].copy()
+    for j in range(n):
+        if uniform(state) <= CR:
+            U[j] = X[r1, j] + F * (X[r2, j] - X[r3, j])
+    return U
+
+
+@jit
+def _crossover(X, i, bounds, sigma, state):
+    population, n = X.shape
+    k = i
+    while k == i:
+        k = below(population, state)
+    alpha = uniform(state)
+    child = np.empty(n)
+    for j in range(n):
+        width = bounds[j, 1] - bounds[j, 0]
+        child[j] = alpha * X[i, j] + (1.0 - alpha) * X[k, j] + sigma * width * normal(state)
+    return child
+
+
+@jit
+def _evolve(cost, data, bounds, X, costs, best, best_cost, parameters, state):
+    """Evolve the worst and the best whales, and return the best cost known after that."""
+    worst, fittest = int(parameters[WORST]), int(parameters[FITTEST])
+    population = len(costs)
+    order = np.argsort(costs, kind="mergesort")
+    for rank in range(worst + fittest):
+        if rank < worst:
+            i = order[population - worst + rank]
+            candidate = _differential(X, i, parameters[SCALE], parameters[CROSSOVER], state)
+        else:
+            i = order[rank - worst]
+            candidate = _crossover(X, i, bounds, parameters[MUTATION], state)
+        clip(candidate, bounds)
+        value = cost(candidate, data)
+        if value < costs[i] or parameters[GREEDY] == 0.0:
+            costs[i] = value
+            copy_into(X[i], candidate)
+        if value < best_cost:
+            best_cost = value
+            copy_into(best, candidate)
+    return best_cost
+
+
+@jit
+def _disturb(cost, data, bounds, best, best_cost, amplitude, state):
+    """Try one chaotic step from the best point, and return the best cost known after that."""
+    candidate = np.empty_like(best)
+    for j in range(len(best)):
+        z = tent(uniform(state))
+        width = bounds[j, 1] - bounds[j, 0]
+        candidate[j] = best[j] + amplitude * width * (2.0 * z - 1.0)
+    clip(candidate, bounds)
+    value = cost(candidate, data)
+    if value < best_cost:
+        copy_into(best, candidate)
+        return value
+    return best_cost
+
+
+@jit
+def _move(X, best, t, iterations, parameters, state):
+    vector = parameters[VECTOR] == 1.0
+    share = t / iterations
+    a = 2.0 * (1.0 - share * share) if parameters[CONTROL] == 1.0 else 2.0 - 2.0 * t / iterations
+    a2 = -1.0 - share
+    b = parameters[SPIRAL_LAST] + (parameters[SPIRAL_FIRST] - parameters[SPIRAL_LAST]) * (1.0 - share)
+    threshold = 0.5 + 0.5 * math.cos(math.pi * t / iterations) if parameters[PROBABILITY] == 1.0 else 0.5
+    for i in range(X.shape[0]):
+        A = C = 0.0
+        if not vector:
+            A = 2.0 * a * uniform(state) - a
+            C = 2.0 * uniform(state)
+        u = uniform(state)
+        l = 2.0 * u - 1.0 if parameters[SPIRAL_RANGE] == 1.0 else (a2 - 1.0) * u + 1.0  # noqa: E741
+        chosen = uniform(state) < threshold
+        if chosen == (parameters[SELECTS] == 0.0):
+            _encircle_or_seek(X, i, best, a, A, C, vector, parameters[LEADER] == 1.0, state)
+        else:
+            turn = math.exp(b * l) * math.cos(2.0 * math.pi * l)
+            for j in range(X.shape[1]):
+                X[i, j] = abs(best[j] - X[i, j]) * turn + best[j]
+
+
+@jit
+def _encircle_or_seek(X, i, best, a, A, C, vector, one_leader, state):
+    population, n = X.shape
+    leader = below(population, state) if one_leader and (vector or abs(A) >= 1.0) else 0
+    for j in range(n):
+        if vector:
+            A = 2.0 * a * uniform(state) - a
+            C = 2.0 * uniform(state)
+        if abs(A) < 1.0:
+            target = best[j]
+        elif one_leader:
+            target = X[leader, j]
+        else:
+            target = X[below(population, state), j]
+        X[i, j] = target - A * abs(C * target - X[i, j])
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HybridWOA:
+    """WOA whose additions are all off until they are set.
+
+    `control` is the course of a from 2 to 0; `spiral` the first and last b; `probability` that
+    of the chance which `probability_selects` names; `coefficients` says whether A and C are drawn
+    per whale or per coordinate, `leader` the same of X_rand; `spiral_range` is that of l.
+    `differential` and `genetic` are shares of the population, `scale` and `crossover` F and CR,
+    `mutation` and `disturbance` shares of the width of the box.
+    """
+
+    start: Literal["uniform", "tent", "tent across"] = "uniform"
+    control: Literal["linear", "quadratic"] = "linear"
+    spiral: tuple[float, float] = (1.0, 1.0)
+    probability: Literal["constant", "cosine"] = "constant"
+    probability_selects: Literal["encircling", "spiral"] = "encircling"
+    coefficients: Literal["scalar", "vector"] = "scalar"
+    leader: Literal["per dimension", "per whale"] = "per dimension"
+    spiral_range: Literal["shrinking", "symmetric"] = "shrinking"
+    differential: float = 0.0
+    scale: float = 0.5
+    crossover: float = 0.9
+    genetic: float = 0.0
+    mutation: float = 0.01
+    greedy: bool = True
+    disturbance: float = 0.0
+
+    def __post_init__(self) -> None:
+        """Raise InputError for a share outside [0, 1]."""
+        for name in ("differential", "genetic", "crossover"):
+            if not 0 <= getattr(self, name) <= 1:
+                message = f"{name}={getattr(self, name)} is a share: it lies between 0 and 1"
+                raise InputError(message)
+
+    def minimise(self, problem: Problem, **budget: Unpack[Budget]) -> Result:
+        """Return the best point found by N·T evaluations and those of the additions."""
+        return search(
+            _hybrid,
+            problem,
+            parameters=self._parameters(budget["population"]),
+            spending=self._spending,
+            least=_LEAST,
+            **budget,
+        )
+
+    def _counts(self, population: int) -> tuple[int, int]:
+        return int(self.differential * population + 0.5), int(self.genetic * population + 0.5)
+
+    def _spending(self, population: int) -> Spending:
+        return Spending(each=population + sum(self._counts(population)) + (self.disturbance > 0))
+
+    def _parameters(self, population: int) -> tuple[float, ...]:
+        worst, fittest = self._counts(population)
+        return (
+            ("uniform", "tent", "tent across").index(self.start),
+            self.control == "quadratic",
+            *self.spiral,
+            self.probability == "cosine",
+            self.probability_selects == "spiral",
+            self.coefficients == "vector",
+            self.leader == "per whale",
+            self.spiral_range == "symmetric",
+            worst,
+            self.scale,
+            self.crossover,
+            fittest,
+            self.mutation,
+            self.greedy,
+            self.disturbance,
+        )

@@ -1,0 +1,132 @@
+"""What an optimiser and a problem are, and how a compiled search is called."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, NotRequired, Protocol, TypedDict, Unpack
+
+import numpy as np
+from numpy.typing import NDArray
+
+from repro.compiled import COST, SEARCH, ready
+from repro.draws import state_from
+from repro.errors import InputError
+
+Vector = NDArray[np.float64]
+
+
+class Problem(Protocol):
+    """Bounds plus a compiled cost."""
+
+    @property
+    def bounds(self) -> Vector:
+        """Lower and upper bound of each coordinate, shape (n, 2)."""
+
+    @property
+    def kernel(self) -> Any:  # noqa: ANN401 (numba ships no types)
+        """Compiled cost: (point, data) to cost."""
+
+    @property
+    def data(self) -> Vector:
+        """Numbers that the cost needs besides the point, shape (k,)."""
+
+    @property
+    def identity(self) -> tuple[object, ...]:
+        """What the cost depends on besides source code; equal problems have equal identities."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Result:
+    """Best point (n,), its cost, best cost after each iteration, and evaluations spent."""
+
+    x: Vector
+    cost: float
+    history: Vector
+    evaluations: int
+
+
+class Budget(TypedDict):
+    """What a search may spend: agents, and either iterations or cost evaluations."""
+
+    population: int
+    iterations: NotRequired[int]
+    evaluations: NotRequired[int]
+    rng: np.random.Generator
+
+
+class Optimiser(Protocol):
+    """Anything that minimises a Problem within a budget."""
+
+    def minimise(self, problem: Problem, **budget: Unpack[Budget]) -> Result:
+        """Return the best point found.
+
+        Give `population`, `rng` and either `iterations` or a number of `evaluations`, of which
+        the whole iterations that fit are run. Raises InputError for a budget that pays for no
+        iteration, a population that the algorithm cannot work with, or impossible bounds.
+        """
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Spending:
+    """Evaluations that an algorithm spends before its loop and in each iteration."""
+
+    start: int = 0
+    each: int
+
+
+def every_agent_once(population: int) -> Spending:
+    """Return the spending of a loop that evaluates each agent once: N·T in all."""
+    return Spending(each=population)
+
+
+def search(
+    kernel: Any,  # noqa: ANN401
+    problem: Problem,
+    *,
+    parameters: tuple[float, ...] = (),
+    spending: Callable[[int], Spending] = every_agent_once,
+    least: int = 1,
+    population: int,
+    iterations: int | None = None,
+    evaluations: int | None = None,
+    rng: np.random.Generator,
+) -> Result:
+    """Run a compiled search that needs `least` agents and return its Result; see `Optimiser`."""
+    if population < least:
+        message = f"population {population} is too small; this search needs {least} or more"
+        raise InputError(message)
+    steps = _iterations(spending(population), iterations=iterations, evaluations=evaluations)
+    x, best, history, spent = ready(kernel, SEARCH)(
+        ready(problem.kernel, COST),
+        np.ascontiguousarray(problem.data, dtype=np.float64),
+        _checked_bounds(problem),
+        population,
+        steps,
+        np.array(parameters, dtype=np.float64),
+        state_from(rng),
+    )
+    return Result(x=x, cost=float(best), history=history, evaluations=int(spent))
+
+
+def _iterations(cost: Spending, *, iterations: int | None, evaluations: int | None) -> int:
+    """Return the number of whole iterations that the budget pays for."""
+    if (iterations is None) == (evaluations is None):
+        message = "give either iterations or evaluations, not both or neither"
+        raise InputError(message)
+    steps = iterations if evaluations is None else (evaluations - cost.start) // cost.each
+    if steps is None or steps < 1:
+        message = (
+            f"iterations={iterations}, evaluations={evaluations} pay for no iteration; "
+            f"one costs {cost.each} evaluations after {cost.start} at the start"
+        )
+        raise InputError(message)
+    return steps
+
+
+def _checked_bounds(problem: Problem) -> Vector:
+    """Return the bounds as a contiguous array; InputError unless finite and in order."""
+    bounds = np.ascontiguousarray(problem.bounds, dtype=np.float64)
+    sound = bounds.ndim == 2 and bounds.shape[1] == 2 and len(bounds) > 0
+    if not (sound and np.isfinite(bounds).all() and (bounds[:, 0] <= bounds[:, 1]).all()):
+        message = f"bounds must be finite pairs lower <= upper of shape (n, 2), not {bounds!r}"
+        raise InputError(message)
+    return bounds

@@ -1,0 +1,125 @@
+"""SMA, the slime mould algorithm, as its authors' program runs it.
+
+S. Li, H. Chen, M. Wang, A. A. Heidari, S. Mirjalili, Slime mould algorithm: a new method for
+stochastic optimization, Future Generation Computer Systems 111 (2020) 300-323,
+doi:10.1016/j.future.2020.03.055, with the authors' SMA.m (github aliasgharheidaricom/
+Slime-Mould-Algorithm-A-New-Method-for-Stochastic-Optimization-, e80e3bd). Where the two differ
+the program is followed:
+
+- a restarted mould lands on the diagonal of the box: one draw serves all its coordinates;
+- the weights of Eq. (2.5) use the decimal logarithm;
+- X_A and X_B of Eq. (2.7) are new moulds for every coordinate, and r a new number;
+- v_b and v_c are drawn per coordinate, v_c from the interval that shrinks from 1 to 0;
+- moulds are clipped to the box when they are next evaluated; the last move is not evaluated.
+
+One deviation. The program adds eps to bF - wF, which makes the argument of the logarithm
+negative or infinite once all costs lie within eps (2.2e-16) of each other, and MATLAB then goes
+on with complex numbers. Here the argument is held to [1, 2], the interval of exact arithmetic.
+
+p = tanh|F - DF| takes costs as they are: another unit of cost is another algorithm. Costs must be
+finite.
+"""
+
+import math
+from dataclasses import dataclass
+from typing import Unpack
+
+import numpy as np
+
+from repro.compiled import jit
+from repro.draws import below, uniform
+from repro.errors import InputError
+from repro.optimisers.population import clip, copy_into, uniform_population
+from repro.optimisers.search import Budget, Problem, Result, search
+
+_EPS = float(np.finfo(np.float64).eps)
+
+
+@jit
+def _sma(cost, data, bounds, population, iterations, parameters, state):
+    z = parameters[0]
+    X = uniform_population(bounds, population, state)
+    W = np.empty_like(X)
+    costs = np.empty(population)
+    vb = np.empty(bounds.shape[0])
+    vc = np.empty(bounds.shape[0])
+    best = np.zeros(bounds.shape[0])
+    best_cost = np.inf
+    history = np.empty(iterations)
+    for t in range(1, iterations + 1):
+        for i in range(population):
+            clip(X[i], bounds)
+            costs[i] = cost(X[i], data)
+        order = np.argsort(costs, kind="mergesort")
+        _weigh(W, costs, order, state)
+        if costs[order[0]] < best_cost:
+            best_cost = costs[order[0]]
+            copy_into(best, X[order[0]])
+        history[t - 1] = best_cost
+        a = math.atanh(1.0 - t / iterations)  # Eq. (2.3)
+        b = 1.0 - t / iterations
+        for i in range(population):
+            if uniform(state) < z:  # Eq. (2.7), first case
+                _restart(X[i], bounds, uniform(state))
+            else:
+                p = math.tanh(abs(costs[i] - best_cost))  # Eq. (2.2)
+                _spread(vb, a, state)
+                _spread(vc, b, state)
+                _creep(X, i, best, W, p, vb, vc, state)
+    return best, best_cost, history, population * iterations
+
+
+@jit
+def _weigh(W, costs, order, state):
+    bF, wF = costs[order[0]], costs[order[-1]]
+    S = bF - wF + _EPS
+    for rank in range(len(order)):
+        i = order[rank]
+        # S >= 0 where all costs agree within eps
+        argument = (bF - costs[i]) / S + 1.0 if S < 0.0 else 1.0
+        logarithm = math.log10(min(max(argument, 1.0), 2.0))
+        sign = 1.0 if 2 * (rank + 1) <= len(order) else -1.0
+        for j in range(W.shape[1]):
+            W[i, j] = 1.0 + sign * uniform(state) * logarithm  # Eq. (2.5)
+
+
+@jit
+def _restart(x, bounds, u):
+    for j in range(len(x)):
+        x[j] = bounds[j, 0] + (bounds[j, 1] - bounds[j, 0]) * u
+
+
+@jit
+def _spread(v, reach, state):
+    for j in range(len(v)):
+        v[j] = -reach + 2.0 * reach * uniform(state)
+
+
+@jit
+def _creep(X, i, best, W, p, vb, vc, state):
+    population = X.shape[0]
+    for j in range(X.shape[1]):  # Eq. (2.7), second and third case
+        r = uniform(state)
+        A = below(population, state)
+        B = below(population, state)
+        if r < p:
+            X[i, j] = best[j] + vb[j] * (W[i, j] * X[A, j] - X[B, j])
+        else:
+            X[i, j] = vc[j] * X[i, j]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SMA:
+    """Slime mould algorithm; `restart` is z, the chance that a mould starts anew."""
+
+    restart: float = 0.03
+
+    def __post_init__(self) -> None:
+        """Raise InputError for a chance outside [0, 1]."""
+        if not 0 <= self.restart <= 1:
+            message = f"restart={self.restart} is a chance: it lies between 0 and 1"
+            raise InputError(message)
+
+    def minimise(self, problem: Problem, **budget: Unpack[Budget]) -> Result:
+        """Return the best point found by N·T evaluations; see `Optimiser`."""
+        return search(_sma, problem, parameters=(self.restart,), **budget)

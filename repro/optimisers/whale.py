@@ -1,0 +1,79 @@
+"""WOA, the whale optimization algorithm, as its authors' program runs it.
+
+S. Mirjalili, A. Lewis, The Whale Optimization Algorithm, Advances in Engineering Software 95
+(2016) 51-67, doi:10.1016/j.advengsoft.2016.01.008, with the authors' WOA.m (github
+alimirjalili/WOA, df28286). Where the two differ the program is followed:
+
+- X_rand of Eqs. (2.7)-(2.8) is a new whale for every coordinate;
+- A and C of Eqs. (2.3)-(2.4) are one number per whale each, from independent draws;
+- l of Eq. (2.5) lies in (a2, 1] with a2 falling from -1 to -2;
+- whales are clipped to the box when they are next evaluated; the last move is not evaluated.
+"""
+
+import math
+from dataclasses import dataclass
+from typing import Unpack
+
+import numpy as np
+
+from repro.compiled import jit
+from repro.draws import below, uniform
+from repro.optimisers.population import copy_into, uniform_population
+from repro.optimisers.search import Budget, Problem, Result, search
+
+
+@jit
+def _woa(cost, data, bounds, population, iterations, parameters, state):
+    b = parameters[0]
+    n = bounds.shape[0]
+    lower, upper = bounds[:, 0].copy(), bounds[:, 1].copy()  # contiguous, so clipping vectorises
+    X = uniform_population(bounds, population, state)
+    x = np.empty(n)  # the whale at `cost`: a row of X would be reference-counted at every call
+    best = np.zeros(n)
+    best_cost = np.inf
+    history = np.empty(iterations)
+    for t in range(iterations):
+        for i in range(population):
+            for j in range(n):
+                x[j] = X[i, j] = min(max(X[i, j], lower[j]), upper[j])
+            value = cost(x, data)
+            if value < best_cost:
+                best_cost = value
+                copy_into(best, x)
+        history[t] = best_cost
+        a = 2.0 - 2.0 * t / iterations
+        a2 = -1.0 - t / iterations
+        _move(X, best, a, a2, b, state)
+    return best, best_cost, history, population * iterations
+
+
+@jit
+def _move(X, best, a, a2, b, state):
+    population, n = X.shape
+    for i in range(population):
+        A = 2.0 * a * uniform(state) - a  # Eq. (2.3)
+        C = 2.0 * uniform(state)  # Eq. (2.4)
+        l = (a2 - 1.0) * uniform(state) + 1.0  # noqa: E741 (the paper's letter)
+        if uniform(state) < 0.5:
+            if abs(A) < 1.0:
+                for j in range(n):
+                    X[i, j] = best[j] - A * abs(C * best[j] - X[i, j])  # Eqs. (2.1)-(2.2)
+            else:
+                for j in range(n):
+                    leader = X[below(population, state), j]
+                    X[i, j] = leader - A * abs(C * leader - X[i, j])  # Eqs. (2.7)-(2.8)
+        else:
+            turn = math.exp(b * l) * math.cos(2.0 * math.pi * l)
+            for j in range(n):
+                X[i, j] = abs(best[j] - X[i, j]) * turn + best[j]  # Eq. (2.5)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class WOA:
+    """Whale optimization algorithm; `b` shapes the logarithmic spiral of Eq. (2.5)."""
+
+    b: float = 1.0
+
+    def minimise(self, problem: Problem, **budget: Unpack[Budget]) -> Result:
+        """Return the best point found by N·T evaluations; see `Optimiser`."""
+        return search(_woa, problem, parameters=(self.b,), **budget)

@@ -1,0 +1,56 @@
+"""Polynomials that move a joint from rest to rest.
+
+The one of degree 2k + 1 has its first k derivatives zero at both ends; in normalised time and
+distance it is s(τ) with s(0) = 0 and s(1) = 1 (L. Biagiotti, C. Melchiorri, Trajectory Planning
+for Automatic Machines and Robots, Springer 2008, section 2.1).
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.polynomial import Polynomial
+from numpy.typing import NDArray
+
+from repro.errors import InputError
+
+
+@dataclass(frozen=True)
+class RestToRestLaw:
+    """The rest-to-rest polynomial of an odd degree."""
+
+    degree: int
+
+    def __post_init__(self) -> None:
+        """Raise InputError unless the degree is odd and at least 3."""
+        if self.degree < 3 or self.degree % 2 == 0:
+            message = f"degree {self.degree}: a rest-to-rest polynomial has degree 3, 5, 7, …"
+            raise InputError(message)
+
+    @cached_property
+    def polynomial(self) -> Polynomial:
+        """s(τ): the integral of τ^k (1-τ)^k, scaled to end at 1."""
+        k = (self.degree - 1) // 2
+        bump = (Polynomial([0, 1]) * Polynomial([1, -1])) ** k
+        area = bump.integ()
+        return area / area(1.0)
+
+    def peak_factor(self, derivative: int) -> float:
+        """Return max |s^(m)(τ)| on [0, 1]: a move D in time T peaks at factor · |D| / T^m."""
+        curve = self.polynomial.deriv(derivative)
+        turns = curve.deriv().roots() if curve.degree() > 0 else np.zeros(0)
+        real = turns.real[abs(turns.imag) < 1e-9]
+        inside = real[(real > 0.0) & (real < 1.0)]
+        return float(np.max(np.abs(curve(np.concatenate([[0.0, 1.0], inside])))))
+
+    def sample(
+        self, share: NDArray[np.float64], derivative: int = 0
+    ) -> NDArray[np.float64]:
+        """Return s^(m) at normalised times `share`, same shape."""
+        curve = self.polynomial.deriv(derivative) if derivative else self.polynomial
+        return np.asarray(curve(share))
+
+
+cubic = RestToRestLaw(3)
+quintic = RestToRestLaw(5)
+septic = RestToRestLaw(7)

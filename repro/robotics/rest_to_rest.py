@@ -1,0 +1,166 @@
+"""Minimum time through waypoints, at rest at each of them, under limits on every joint.
+
+A joint that moves D in time T along a rest-to-rest law peaks at f_m · D / T^m in its m-th
+derivative, so whether a motion obeys its limits is decided exactly, without sampling.
+"""
+
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from repro.compiled import jit
+from repro.errors import DeclarationError
+from repro.robotics.polynomials import RestToRestLaw
+
+Vector = NDArray[np.float64]
+Handling = Literal["feasibility first", "penalty", "rejection"]
+DERIVATIVES = {1: "velocity", 2: "acceleration", 3: "jerk"}
+_HEADER = 5
+
+
+@jit
+def _cost(x, data):
+    segments, joints = int(data[0]), int(data[1])
+    handling, weight, longest = data[2], data[3], data[4]
+    total = 0.0
+    excess = 0.0
+    for k in range(segments):
+        total += x[k]
+        power = 1.0
+        for m in range(3):
+            power *= x[k]
+            factor = data[_HEADER + m]
+            for j in range(joints):
+                limit = data[_HEADER + 3 + m * joints + j]
+                distance = data[_HEADER + 3 + 3 * joints + k * joints + j]
+                peak_share = factor * distance / (power * limit)
+                if peak_share > 1.0:
+                    excess += peak_share - 1.0
+    if excess == 0.0:
+        return total
+    if handling == 0.0:
+        return longest + excess  # worse than every motion that obeys, and ordered by excess
+    if handling == 1.0:
+        return total + weight * excess
+    return longest + 1.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MinimumTime:
+    """Choose the duration of each segment so that the sum is least and every limit is kept.
+
+    `waypoints` (points, joints) in rad; `velocity`, `acceleration`, `jerk` are limits per joint in
+    rad/s, rad/s², rad/s³; `durations` are the (shortest, longest) that a search may try, in s.
+    `handling` says what a search is told of a motion that breaks a limit: "feasibility first"
+    ranks it behind every motion that obeys (K. Deb, Computer Methods in Applied Mechanics and
+    Engineering 186 (2000) 311-338), "penalty" adds `weight` seconds per unit of relative excess,
+    "rejection" gives one flat cost.
+    """
+
+    waypoints: tuple[tuple[float, ...], ...]
+    law: RestToRestLaw
+    velocity: tuple[float, ...]
+    acceleration: tuple[float, ...]
+    jerk: tuple[float, ...] | None = None
+    durations: tuple[float, float]
+    handling: Handling = "feasibility first"
+    weight: float = 1000.0
+
+    def __post_init__(self) -> None:
+        """Raise DeclarationError unless there is one limit of each kind per joint."""
+        joints = {len(point) for point in self.waypoints}
+        for limits in (self.velocity, self.acceleration, self.jerk or self.velocity):
+            joints.add(len(limits))
+        if len(joints) > 1 or len(self.waypoints) < 2:
+            message = f"waypoints and limits disagree on the number of joints: {sorted(joints)}"
+            raise DeclarationError(message)
+
+    @property
+    def segments(self) -> int:
+        """Number of durations to choose."""
+        return len(self.waypoints) - 1
+
+    @property
+    def distances(self) -> Vector:
+        """Angle that each joint moves in each segment, shape (segments, joints), in rad."""
+        return np.abs(np.diff(np.array(self.waypoints), axis=0))
+
+    @property
+    def limits(self) -> Vector:
+        """Limits on the first three derivatives, shape (3, joints); infinite where there is none."""
+        jerk = self.jerk or (np.inf,) * len(self.velocity)
+        return np.array([self.velocity, self.acceleration, jerk])
+
+    @property
+    def bounds(self) -> Vector:
+        """Shortest and longest duration of each segment, shape (segments, 2), in s."""
+        return np.tile(np.array(self.durations), (self.segments, 1))
+
+    @property
+    def kernel(self) -> Any:  # noqa: ANN401 (numba ships no types)
+        """Compiled cost in s."""
+        return _cost
+
+    @property
+    def data(self) -> Vector:
+        """Everything that the compiled cost needs, in one vector."""
+        handling = ("feasibility first", "penalty", "rejection").index(self.handling)
+        longest = self.segments * self.durations[1]
+        header = (self.segments, len(self.velocity), handling, self.weight, longest)
+        factors = [self.law.peak_factor(m) for m in DERIVATIVES]
+        return np.concatenate([header, factors, self.limits.ravel(), self.distances.ravel()])
+
+    @property
+    def identity(self) -> tuple[object, ...]:
+        """What the cost depends on besides source code."""
+        return tuple(getattr(self, name) for name in self.__slots__)
+
+    def shortest(self) -> Vector:
+        """Return the least duration of each segment that keeps every limit, shape (segments,)."""
+        return self.times_to_keep().max(axis=(1, 2))
+
+    def times_to_keep(self) -> Vector:
+        """Return the least duration per (segment, derivative, joint), in s."""
+        least = [
+            (self.law.peak_factor(m) * self.distances / self.limits[m - 1]) ** (1 / m)
+            for m in DERIVATIVES
+        ]
+        return np.stack(least, axis=1)
+
+    def quantity(self, name: str, points: Vector) -> Vector:
+        """Return "total" or "duration k" of motions `points` (…, segments), shape (…), in s.
+
+        A segment that breaks a limit counts with the least duration that keeps it, so a reported
+        time is always the time of a motion that obeys.
+        """
+        obeying = np.maximum(points, self.shortest())
+        if name == "total":
+            return np.asarray(obeying.sum(axis=-1))
+        k = int(name.removeprefix("duration ")) - 1
+        return np.asarray(obeying[..., k])
+
+
+def peak(problem: MinimumTime, durations: tuple[float, ...], derivative: int) -> float:
+    """Return the largest value that any joint reaches in the derivative, in rad/s^derivative."""
+    factor = problem.law.peak_factor(derivative)
+    times = np.array(durations)[:, None]
+    return float(np.max(factor * problem.distances / times**derivative))
+
+
+def motion(
+    problem: MinimumTime, durations: Vector, *, derivative: int, samples: int
+) -> tuple[Vector, Vector]:
+    """Return times (n,) and joint values (n, joints) of the whole motion, SI units."""
+    share = np.linspace(0.0, 1.0, samples)
+    points = np.array(problem.waypoints)
+    ends = np.concatenate([[0.0], np.cumsum(durations)])
+    times = [start + share * length for start, length in zip(ends, durations, strict=False)]
+    curve = problem.law.sample(share, derivative)
+    values = [
+        (points[k] if derivative == 0 else 0.0)
+        + np.outer(curve, points[k + 1] - points[k]) / durations[k] ** derivative
+        for k in range(problem.segments)
+    ]
+    return np.concatenate(times), np.concatenate(values)
