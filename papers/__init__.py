@@ -1,0 +1,1 @@
+"""One module per source paper and nothing else: each declares PAPER."""

@@ -1,0 +1,60 @@
+"""What `repro list` says: papers, experiments, tables, and how many runs are done."""
+
+from collections.abc import Iterable
+from pathlib import Path
+
+from repro.model import Paper
+from repro.plan import plan
+from repro.store import finished_keys
+
+Row = dict[str, object]
+
+
+def listing(papers: Iterable[Paper], repeats: int, store: Path) -> list[Row]:
+    """Return one row per paper; the store is read and not changed."""
+    finished = finished_keys(store)
+    return [_row(paper, repeats, finished) for paper in papers]
+
+
+def _row(paper: Paper, repeats: int, finished: frozenset[str]) -> Row:
+    tasks = plan([paper], repeats)
+    experiments = []
+    for experiment in paper.experiments:
+        own = [task for task in tasks if task.experiment == experiment.name]
+        done = sum(task.key in finished for task in own)
+        experiments.append(
+            {
+                "name": experiment.name,
+                "problems": list(experiment.problems),
+                "algorithms": list(experiment.algorithms),
+                "done": done,
+                "missing": len(own) - done,
+            }
+        )
+    return {
+        "key": paper.key,
+        "title": paper.source.title,
+        "tables": [table.label for table in (*paper.inputs, *paper.results)],
+        "claims": len(paper.claims),
+        "experiments": experiments,
+        "done": sum(task.key in finished for task in tasks),
+        "missing": sum(task.key not in finished for task in tasks),
+    }
+
+
+def listing_text(rows: list[Row]) -> str:
+    """Return the listing as text for a terminal."""
+    lines = []
+    for row in rows:
+        lines.append(f"{row['key']}: {row['title']}")
+        tables = row["tables"]
+        if isinstance(tables, list):
+            lines.append(f"  tables: {', '.join(tables)}; claims: {row['claims']}")
+        experiments = row["experiments"]
+        for experiment in experiments if isinstance(experiments, list) else ():
+            lines.append(
+                f"  {experiment['name']}: {' '.join(experiment['algorithms'])} on "
+                f"{' '.join(experiment['problems'])}, {experiment['done']} runs done, "
+                f"{experiment['missing']} missing"
+            )
+    return "\n".join(lines) + "\n"

@@ -1,0 +1,89 @@
+"""Everything that is to be run, in order, each run with a name, a seed and a key."""
+
+import hashlib
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+from repro.errors import InputError
+from repro.model import Experiment, Paper
+from repro.optimisers.search import Optimiser
+from repro.sources import source_digest
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Task:
+    """One run of one algorithm on one problem."""
+
+    paper: str
+    experiment: str
+    problem: str
+    algorithm: str
+    repeat: int
+    run: int
+    key: str
+    optimiser: Optimiser
+    subject: Any
+    population: int
+    iterations: int
+
+    @property
+    def name(self) -> str:
+        """The name that seeds the run."""
+        parts = (self.paper, self.experiment, self.problem, self.algorithm, self.repeat, self.run)
+        return "/".join(map(str, parts))
+
+
+def plan(papers: Iterable[Paper], repeats: int) -> tuple[Task, ...]:
+    """Return every run of the papers' protocols, `repeats` times over, counted from 1."""
+    if repeats < 1:
+        message = f"repeats is {repeats}; it must be 1 or more"
+        raise InputError(message)
+    return tuple(
+        task
+        for paper in papers
+        for experiment in paper.experiments
+        for problem in experiment.problems
+        for algorithm in experiment.algorithms
+        for task in _cell(paper.key, experiment, problem, algorithm, repeats)
+    )
+
+
+def _cell(
+    paper: str, experiment: Experiment, problem: str, algorithm: str, repeats: int
+) -> Iterable[Task]:
+    inputs = _inputs(experiment, problem, algorithm)
+    for repeat in range(1, repeats + 1):
+        for run in range(1, experiment.runs + 1):
+            place = (paper, experiment.name, problem, algorithm, repeat, run)
+            yield Task(
+                paper=paper,
+                experiment=experiment.name,
+                problem=problem,
+                algorithm=algorithm,
+                repeat=repeat,
+                run=run,
+                key=_digest(inputs, *place),
+                optimiser=experiment.algorithms[algorithm],
+                subject=experiment.problems[problem],
+                population=experiment.population,
+                iterations=experiment.iterations,
+            )
+
+
+def _inputs(experiment: Experiment, problem: str, algorithm: str) -> str:
+    """Return a digest of all that decides the outcome of a run but its seed."""
+    optimiser, subject = experiment.algorithms[algorithm], experiment.problems[problem]
+    modules = {type(optimiser).__module__, type(subject).__module__, subject.kernel.__module__}
+    return _digest(
+        repr(optimiser),
+        type(subject).__qualname__,
+        repr(subject.identity),
+        experiment.population,
+        experiment.iterations,
+        source_digest("repro.seeds", *sorted(modules)),
+    )
+
+
+def _digest(*parts: object) -> str:
+    return hashlib.sha256("\0".join(map(str, parts)).encode()).hexdigest()
