@@ -4,11 +4,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from repro.claims import CellClaim
+from repro.claims import CellClaim, Claim
 from repro.measures import Statistic
 from repro.model import Paper
 from repro.published import UNITS
 from repro.robotics import MinimumTime
+from repro.robotics.fastest import fastest_joints
+from repro.robotics.fixed_penalties import Cheapest, cheapest, unbounded
 from repro.robotics.rest_to_rest import DERIVATIVES
 
 
@@ -26,7 +28,9 @@ class Certificate:
     """The proved minimum time of one problem, in s.
 
     `lower_bound` is proved, `attained` is the time of a motion checked to obey; `at` are its
-    durations; `binding` names the joint and limit that hold each segment back.
+    durations; `binding` names the joint and limit that hold each segment back. Where a search is
+    better off breaking limits there is no `minimum`; `lower_bound` then holds for every motion
+    that obeys, `at` is where the search is led, and `explanation` says why.
     """
 
     paper: str
@@ -42,21 +46,75 @@ class Certificate:
 
 
 def certify(paper: Paper) -> tuple[Certificate, ...]:
-    """Return one certificate per trajectory problem of the paper."""
-    return tuple(
-        _rest_to_rest(paper, experiment.name, name, problem)
+    """Return one certificate per trajectory problem of the paper, and one per other reading."""
+    as_run = [
+        ((experiment.name, name), f"{experiment.name}/{name}", problem)
         for experiment in paper.experiments
         for name, problem in experiment.problems.items()
+    ]
+    as_read = [
+        (reading.of, f"{'/'.join(reading.of)}, {reading.name}", reading.problem)
+        for reading in paper.readings
+    ]
+    return tuple(
+        _certificate(paper, of, label, problem)
+        for of, label, problem in (*as_run, *as_read)
         if isinstance(problem, MinimumTime)
     )
 
 
-def _rest_to_rest(paper: Paper, experiment: str, name: str, problem: MinimumTime) -> Certificate:
+def _certificate(
+    paper: Paper, of: tuple[str, str], label: str, problem: MinimumTime
+) -> Certificate:
+    if problem.handling == "fixed penalties":
+        least = cheapest(problem)
+        if least.broken:
+            return _better_off_breaking(paper.key, label, problem, least)
+    return _rest_to_rest(paper, of, label, problem)
+
+
+def _better_off_breaking(
+    paper: str, label: str, problem: MinimumTime, least: Cheapest
+) -> Certificate:
+    joints = fastest_joints(problem)
+    bound = max(joints)
+    slowest = joints.index(bound) + 1
+    obeying = float(problem.shortest().sum())
+    limit = cheapest(unbounded(problem))
+    broken = ", ".join(least.broken)
+    each = " + ".join(f"{duration:.4g}" for duration in least.durations)
+    return Certificate(
+        paper=paper,
+        problem=label,
+        minimum=None,
+        lower_bound=bound,
+        attained=obeying,
+        method=(
+            "a joint that starts and ends at rest, with jerk, acceleration and velocity in turn at "
+            "their limits, moves its angle in the least time that any curve can"
+        ),
+        at=tuple(float(duration) for duration in least.durations),
+        binding=(f"whole motion: joint {slowest}",),
+        printed=(),
+        explanation=(
+            f"The fitness as printed has its least value, {least.cost:.4g} s, where limits are "
+            f"broken ({broken}): with {each} s the motion takes {least.time:.4g} s, and breaking "
+            f"costs {least.cost - least.time:.4g} s. Obeying costs {obeying:.4g} s with this law "
+            f"and at least {bound:.4g} s with any curve between rest and rest (joint {slowest}). "
+            f"The shorter the durations allowed, the lower: the fitness tends to "
+            f"{limit.cost:.4g} s for a motion of {limit.time:.4g} s."
+        ),
+    )
+
+
+def _rest_to_rest(
+    paper: Paper, of: tuple[str, str], label: str, problem: MinimumTime
+) -> Certificate:
     at = problem.shortest()
     total = float(at.sum())
     return Certificate(
         paper=paper.key,
-        problem=f"{experiment}/{name}",
+        problem=label,
         minimum=total,
         lower_bound=total,
         attained=total,
@@ -66,7 +124,7 @@ def _rest_to_rest(paper: Paper, experiment: str, name: str, problem: MinimumTime
         ),
         at=tuple(float(t) for t in at),
         binding=tuple(_binding(problem, k) for k in range(problem.segments)),
-        printed=_printed(paper, experiment, name, total),
+        printed=_printed(paper, of, total),
     )
 
 
@@ -78,16 +136,27 @@ def _binding(problem: MinimumTime, segment: int) -> str:
     return f"segment {segment + 1}: {kind} of joint {joint + 1} (limit {limit:g})"
 
 
-def _printed(paper: Paper, experiment: str, name: str, total: float) -> tuple[PrintedTime, ...]:
+def _printed(paper: Paper, of: tuple[str, str], total: float) -> tuple[PrintedTime, ...]:
+    """Return the printed times of the problem: those of tables, and others that the text has."""
+    claims = [claim for claim in paper.claims if _is_total(claim, of)]
+    tabled = {claim.printed.si for claim in claims if claim.place}
     return tuple(
         PrintedTime(
-            label=f"{claim.table.label}, {claim.row}",
-            time=claim.printed.si / UNITS["s"],
-            ratio=claim.printed.si / total,
+            label=_label(claim), time=claim.printed.si / UNITS["s"], ratio=claim.printed.si / total
         )
-        for claim in paper.claims
-        if isinstance(claim, CellClaim)
-        and isinstance(claim.measure, Statistic)
-        and (claim.measure.experiment, claim.measure.problem) == (experiment, name)
-        and claim.measure.quantity == "total"
+        for claim in claims
+        if claim.place or claim.printed.si not in tabled
     )
+
+
+def _is_total(claim: Claim, of: tuple[str, str]) -> bool:
+    measure = claim.measure
+    return (
+        isinstance(measure, Statistic)
+        and (measure.experiment, measure.problem) == of
+        and measure.quantity == "total"
+    )
+
+
+def _label(claim: Claim) -> str:
+    return f"{claim.table.label}, {claim.row}" if isinstance(claim, CellClaim) else claim.where

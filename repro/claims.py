@@ -9,7 +9,7 @@ from repro.measures import Measure, Rank, Statistic
 from repro.model import Experiment, Gap
 from repro.published import Printed, PublishedTable
 from repro.statistics.summary import STATISTICS
-from repro.verdict import Absolute, Tolerance
+from repro.verdict import Between, Tolerance
 
 Role = Literal["problem", "algorithm", "statistic", "quantity"]
 
@@ -34,6 +34,11 @@ class CellClaim:
         """The place on the page."""
         return self.table.where
 
+    @property
+    def place(self) -> tuple[str, str, str] | None:
+        """Table, row and column."""
+        return self.table.label, self.row, self.column
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Sentence:
@@ -51,6 +56,11 @@ class Sentence:
         if (self.measure is None) == (self.gap is None):
             message = f"claim {self.claim!r} needs either a measure or a Gap that says why not"
             raise DeclarationError(message)
+
+    @property
+    def place(self) -> tuple[str, str, str] | None:
+        """Nothing: a sentence stands in no table."""
+        return None
 
 
 Claim = CellClaim | Sentence
@@ -74,24 +84,20 @@ def every_cell(
     neither names, `names` translates a printed heading; `only` keeps some row names. Raises
     DeclarationError where a heading names nothing that the experiment has.
     """
+    if len(rows) != len(table.headings):
+        message = f"{table.label} has the row headings {table.headings}, not one per {rows}"
+        raise DeclarationError(message)
     claims = []
-    for row, headings in zip(table.row_names, table.rows, strict=True):
-        if only is not None and row not in only:
-            continue
-        for column in table.column_names:
+    headings_of = dict(zip(table.row_names, table.rows, strict=True))
+    for row, column in table.places():
+        if only is None or row in only:
             words = dict(given or {})
-            for role, word in zip((*rows, columns), (*headings, column), strict=True):
+            for role, word in zip((*rows, columns), (*headings_of[row], column), strict=True):
                 words[role] = (names or {}).get(word, word)
             measure = _statistic(f"{table.label}, row {row!r}, column {column!r}", of, words)
-            spread = measure.statistic == "std" and std_within is not None
+            accepted = std_within if measure.statistic == "std" and std_within else within
             claims.append(
-                CellClaim(
-                    table=table,
-                    row=row,
-                    column=column,
-                    measure=measure,
-                    accepted=std_within if spread and std_within else within,
-                )
+                CellClaim(table=table, row=row, column=column, measure=measure, accepted=accepted)
             )
     return tuple(claims)
 
@@ -141,7 +147,7 @@ def lowest_everywhere(
                 ),
                 among=tuple(of.algorithms),
             ),
-            accepted=Absolute(0),
+            accepted=Between(1, 1),
         )
         for problem in of.problems
     )

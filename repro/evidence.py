@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from repro.errors import DeclarationError
 from repro.model import Experiment, Paper
 
 Vector = NDArray[np.float64]
@@ -47,7 +48,14 @@ class Evidence:
         if quantity == "cost":
             return runs.costs
         if match := re.fullmatch(r"cost after (\d+) iterations", quantity):
-            return np.asarray(runs.histories[..., int(match[1]) - 1])
+            iteration, last = int(match[1]), runs.histories.shape[-1]
+            if not 1 <= iteration <= last:
+                message = f"{'/'.join(cell)}: no {quantity!r}; it has iterations 1 to {last}"
+                raise DeclarationError(message)
+            return np.asarray(runs.histories[..., iteration - 1])
         problem = self.experiment(cell[0]).problems[cell[1]]
+        if not hasattr(problem, "quantity"):
+            message = f"{'/'.join(cell)}: no quantity {quantity!r}, only the cost"
+            raise DeclarationError(message)
         measured: Vector = problem.quantity(quantity, runs.points)
         return measured

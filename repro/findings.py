@@ -88,12 +88,11 @@ def _named(
     quantile: float | None = None,
     repeats: int = 0,
 ) -> Finding:
-    cell = isinstance(claim, CellClaim)
     return Finding(
         table=claim.table.label if isinstance(claim, CellClaim) else None,
         row=claim.row if isinstance(claim, CellClaim) else None,
         column=claim.column if isinstance(claim, CellClaim) else None,
-        claim=None if cell else claim.claim,
+        claim=None if isinstance(claim, CellClaim) else claim.claim,
         where=claim.where,
         printed=claim.printed.text,
         unit=claim.printed.unit,

@@ -51,10 +51,10 @@ def listing_text(rows: list[Row]) -> str:
         if isinstance(tables, list):
             lines.append(f"  tables: {', '.join(tables)}; claims: {row['claims']}")
         experiments = row["experiments"]
-        for experiment in experiments if isinstance(experiments, list) else ():
-            lines.append(
-                f"  {experiment['name']}: {' '.join(experiment['algorithms'])} on "
-                f"{' '.join(experiment['problems'])}, {experiment['done']} runs done, "
-                f"{experiment['missing']} missing"
-            )
+        lines.extend(
+            f"  {experiment['name']}: {' '.join(experiment['algorithms'])} on "
+            f"{' '.join(experiment['problems'])}, {experiment['done']} runs done, "
+            f"{experiment['missing']} missing"
+            for experiment in (experiments if isinstance(experiments, list) else ())
+        )
     return "\n".join(lines) + "\n"

@@ -136,6 +136,32 @@ class Computed:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Difference:
+    """By how much `after` is lower than `before`, in their unit."""
+
+    before: Measure
+    after: Measure
+
+    @property
+    def words(self) -> str:
+        """What is measured, as a phrase."""
+        return f"difference from {self.before.words} to {self.after.words}"
+
+    def cells(self) -> tuple[Cell, ...]:
+        """Return the cells of both sides."""
+        return self.before.cells() + self.after.cells()
+
+    def measure(self, evidence: Evidence) -> Measured:
+        """Return the difference in the first repeat and in resampled tables."""
+        before, after = self.before.measure(evidence), self.after.measure(evidence)
+        return Measured(
+            value=before.value - after.value,
+            draws=before.draws - after.draws,
+            repeats=max(before.repeats, after.repeats),
+        )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Reduction:
     """By how many percent `after` is lower than `before`."""
 

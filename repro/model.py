@@ -1,5 +1,6 @@
 """What a paper module declares."""
 
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -11,6 +12,7 @@ if TYPE_CHECKING:
     from repro.claims import Claim
     from repro.figures import Figure
     from repro.optimisers.search import Optimiser
+    from repro.relations import Relation
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -73,11 +75,24 @@ class Gap:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Reading:
+    """A motion problem under another reading of the paper: certified, but not run.
+
+    `of` names the experiment and problem whose printed times are held against it.
+    """
+
+    name: str
+    of: tuple[str, str]
+    problem: Any
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Paper:
     """One source paper: everything that is printed, open, wrong or missing, as data.
 
     `inputs` are printed tables that the re-run starts from, `results` those whose every cell is
-    claimed; `summary` says in one sentence what the paper reports.
+    claimed; `relations` say what printed numbers must be to each other; `readings` are motion
+    problems as the paper may also be read; `summary` says in one sentence what the paper reports.
     """
 
     key: str
@@ -91,11 +106,37 @@ class Paper:
     errata: tuple[Erratum, ...]
     gaps: tuple[Gap, ...]
     figures: tuple["Figure", ...] = ()
+    relations: tuple["Relation", ...] = ()
+    readings: tuple[Reading, ...] = ()
 
     def __post_init__(self) -> None:
         """Raise DeclarationError where parts of the declaration do not fit together."""
+        self._refuse_ambiguous_names()
         self._refuse_unlisted_experiments()
         self._refuse_unclaimed_cells()
+        self._refuse_readings_of_nothing()
+
+    def _refuse_ambiguous_names(self) -> None:
+        names = [experiment.name for experiment in self.experiments]
+        for experiment in self.experiments:
+            for name in (experiment.name, *experiment.problems, *experiment.algorithms):
+                if "/" in name or names.count(name) > 1:
+                    message = (
+                        f"{self.key}, {name!r}: runs are named experiment/problem/algorithm, so a "
+                        "name has no '/' and no two experiments share one"
+                    )
+                    raise DeclarationError(message)
+
+    def _refuse_readings_of_nothing(self) -> None:
+        known = {(e.name, problem) for e in self.experiments for problem in e.problems}
+        for reading in self.readings:
+            if reading.of not in known:
+                names = ", ".join(sorted("/".join(names) for names in known))
+                message = (
+                    f"{self.key}, reading {reading.name!r}: no problem {'/'.join(reading.of)}; "
+                    f"problems: {names}"
+                )
+                raise DeclarationError(message)
 
     def _refuse_unlisted_experiments(self) -> None:
         known = {
@@ -113,13 +154,12 @@ class Paper:
                     raise DeclarationError(message)
 
     def _refuse_unclaimed_cells(self) -> None:
-        claimed = {
-            (claim.table.label, claim.row, claim.column)
-            for claim in self.claims
-            if hasattr(claim, "table")
-        }
+        claimed = Counter(claim.place for claim in self.claims)
         for table in self.results:
             for row, column in table.places():
-                if (table.label, row, column) not in claimed:
-                    message = f"{self.key}, {table.label}: cell ({row}, {column}) has no claim"
+                if (times := claimed[table.label, row, column]) != 1:
+                    message = (
+                        f"{self.key}, {table.label}: cell ({row}, {column}) has {times or 'no'} "
+                        f"claim{'s' * (times > 1)}"
+                    )
                     raise DeclarationError(message)

@@ -12,10 +12,10 @@ _WIDTH = 30
 class Progress:
     """Says how many runs are done, how fast, and how long the rest will take."""
 
-    def __init__(self, stream: TextIO = sys.stderr) -> None:
-        """Start the clock."""
-        self._stream = stream
-        self._terminal = stream.isatty()
+    def __init__(self, stream: TextIO | None = None) -> None:
+        """Start the clock; the stream is stderr unless another is given."""
+        self._stream = stream or sys.stderr
+        self._terminal = self._stream.isatty()
         self._start = self._said = time.monotonic()
 
     def __call__(self, done: int, total: int) -> None:
@@ -23,7 +23,7 @@ class Progress:
         now = time.monotonic()
         last = done == total
         pause = TERMINAL_SECONDS if self._terminal else PLAIN_SECONDS
-        if now - self._said < pause and not last:
+        if not done or (now - self._said < pause and not last):
             return
         self._said = now
         rate = done / max(now - self._start, 1e-9)

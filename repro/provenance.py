@@ -1,6 +1,6 @@
 """On what and with what the runs were made; taken when they are made."""
 
-import datetime
+import datetime as dt
 import importlib.metadata
 import os
 import platform
@@ -15,7 +15,7 @@ PACKAGES = ("numpy", "numba", "llvmlite", "scipy", "matplotlib", "jinja2")
 def provenance() -> dict[str, object]:
     """Return versions, processor, commit, date and seed rule of this process."""
     return {
-        "date": datetime.datetime.now(tz=datetime.UTC).date().isoformat(),
+        "date": dt.datetime.now(tz=dt.UTC).date().isoformat(),
         "commit": _commit(),
         "python": platform.python_version(),
         "packages": {name: importlib.metadata.version(name) for name in PACKAGES},

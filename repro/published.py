@@ -31,7 +31,7 @@ _DECIMAL = re.compile(
     r"(?P<digits>[-+]?\d+(?:\.(?P<decimals>\d+))?)"
     r"(?:\s*[×x]\s*10(?:\^(?P<power>[-+]?\d+))?|[eE](?P<e>[-+]?\d+))?"
 )
-_PI = re.compile(r"(?P<sign>-?)(?P<times>\d*)π(?:/(?P<over>\d+))?")
+_PI = re.compile(r"(?P<sign>-?)(?P<times>\d*)π(?:/(?P<over>[1-9]\d*))?")
 _HEADING = re.compile(r"(?P<name>[^\[\]]+?)\s*(?:\[(?P<unit>[^\]]*)\])?")
 
 
@@ -112,7 +112,7 @@ class PublishedTable:
         `||` (or else the first `|`) parts the row headings from the values. A blank row heading
         repeats the one above. Raises DeclarationError with the table, row and text at fault.
         """
-        where, heading, *body = [line.strip() for line in page.strip().splitlines() if line.strip()]
+        where, heading, *body = _lines(page)
         label = where.partition(",")[0]
         names, titles = _split(label, heading)
         columns = tuple(_column(label, title) for title in titles)
@@ -128,6 +128,9 @@ class PublishedTable:
                 raise DeclarationError(message)
             above = rows[-1] if rows else row
             rows.append(tuple(own or old for own, old in zip(row, above, strict=True)))
+            if not all(rows[-1]):
+                message = f"{label}, row {line!r}: a blank heading has none above it to repeat"
+                raise DeclarationError(message)
             cells.append(_read_row(label, " ".join(rows[-1]), texts, columns))
         _refuse_repeats(label, [" ".join(row) for row in rows])
         _refuse_repeats(label, [column.name for column in columns])
@@ -176,6 +179,14 @@ class PublishedTable:
             for column, cell in zip(self.columns, cells, strict=True):
                 if isinstance(cell, Printed):
                     yield row, column.name
+
+
+def _lines(page: str) -> list[str]:
+    lines = [line.strip() for line in page.splitlines() if line.strip()]
+    if len(lines) < 3:
+        message = f"{page.strip()!r} is no table: it needs its place, its headings and a row"
+        raise DeclarationError(message)
+    return lines
 
 
 def _split(label: str, line: str) -> tuple[tuple[str, ...], tuple[str, ...]]:

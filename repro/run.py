@@ -76,17 +76,22 @@ def run_all(
     An interrupt drops what has not started, waits for what has, keeps it, and is raised again.
     """
     waiting = iter(tasks)
-    running: set[Future[Record]] = set(_submit(executor, waiting, workers * IN_FLIGHT))
+    unkept: set[Future[Record]] = set()
     try:
-        while running:
-            done, running = wait(running, return_when=FIRST_COMPLETED)
-            running |= set(_submit(executor, waiting, len(done)))
+        _submit(executor, waiting, workers * IN_FLIGHT, unkept)
+        while unkept:
+            done = wait(unkept, return_when=FIRST_COMPLETED).done
             keep([future.result() for future in done])
+            unkept -= done
+            _submit(executor, waiting, len(done), unkept)
     except KeyboardInterrupt:
-        started = [future for future in running if not future.cancel()]
+        started = [future for future in unkept if not future.cancel()]
         keep([future.result() for future in wait(started).done])
         raise
 
 
-def _submit(executor: Executor, tasks: Iterator[Task], count: int) -> list[Future[Record]]:
-    return [executor.submit(execute, task) for task in islice(tasks, count)]
+def _submit(
+    executor: Executor, tasks: Iterator[Task], count: int, unkept: set[Future[Record]]
+) -> None:
+    for task in islice(tasks, count):
+        unkept.add(executor.submit(execute, task))

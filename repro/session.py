@@ -52,9 +52,7 @@ def gather(store: Store, paper: Paper, tasks: Iterable[Task]) -> Evidence:
             task = record.task
             cells[task.experiment, task.problem, task.algorithm][task.repeat].append(record)
     protocol = {experiment.name: experiment.runs for experiment in paper.experiments}
-    runs = {
-        cell: _whole(by_repeat, protocol[cell[0]]) for cell, by_repeat in cells.items()
-    }
+    runs = {cell: _whole(by_repeat, protocol[cell[0]]) for cell, by_repeat in cells.items()}
     return Evidence(paper, {cell: found for cell, found in runs.items() if found is not None})
 
 

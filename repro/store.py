@@ -5,7 +5,8 @@ import hashlib
 import json
 import sqlite3
 from collections.abc import Iterable, Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, closing, contextmanager
+from functools import partial
 from pathlib import Path
 from typing import Self
 
@@ -19,6 +20,8 @@ from repro.run import Record
 SCHEMA = 1
 APPLICATION = 0x52455052  # "REPR"
 _FLOAT = np.dtype("<f8")
+# what SQLite says where the place is at fault and not the file
+_UNUSABLE = ("SQLITE_CANTOPEN", "SQLITE_CANTOPEN_ISDIR", "SQLITE_FULL", "SQLITE_READONLY")
 _TABLES = """
 create table env(id integer primary key, json text unique not null);
 create table run(
@@ -42,6 +45,7 @@ class Store:
         self.folder = folder
         self.path = folder / "runs.sqlite"
         self._env: int | None = None
+        self._environment = ""
 
     def __enter__(self) -> Self:
         """Lock and open; InputError for a folder that cannot be used, StoreError otherwise."""
@@ -72,33 +76,28 @@ class Store:
     def _open(self) -> None:
         with self._refusing():
             self._database = sqlite3.connect(self.path)
-            version = self._pragma("user_version")
-            application = self._pragma("application_id")
-        if version > SCHEMA:
-            message = f"{self.path} has schema {version}, newer than {SCHEMA}: update repro"
-            raise StoreError(message)
-        if version and application != APPLICATION:
-            message = f"{self.path} is not a store of repro: name another folder with --store"
-            raise StoreError(message)
-        with self._refusing():
-            self._database.execute("pragma journal_mode=wal")
-            self._database.execute("pragma synchronous=full")
-            if not version:
-                self._database.executescript(_TABLES)
-                self._database.execute(f"pragma application_id={APPLICATION}")
-                self._database.execute(f"pragma user_version={SCHEMA}")
-                self._database.commit()
-
-    def _pragma(self, name: str) -> int:
-        return int(self._database.execute(f"pragma {name}").fetchone()[0])
-
-    @contextmanager
-    def _refusing(self) -> Iterator[None]:
         try:
-            yield
-        except sqlite3.Error as error:
-            message = f"{self.path} cannot be used as a store: {error}"
-            raise StoreError(message) from None
+            with self._refusing():
+                self._prepare()
+        except BaseException:
+            self._database.close()
+            raise
+
+    def _prepare(self) -> None:
+        # damaged text is for the digest of its row to find, which can name the row
+        self._database.text_factory = partial(str, encoding="utf-8", errors="replace")
+        made = _is_made(self._database, self.path)
+        self._database.execute("pragma journal_mode=wal")
+        self._database.execute("pragma synchronous=full")
+        if not made:
+            # in one transaction: a crash leaves a whole store or none
+            self._database.executescript(
+                f"begin; {_TABLES} pragma application_id={APPLICATION}; "
+                f"pragma user_version={SCHEMA}; commit;"
+            )
+
+    def _refusing(self) -> AbstractContextManager[None]:
+        return _refusing(self.path)
 
     def begin(self, environment: Mapping[str, object]) -> None:
         """Say under which environment the runs that follow are made."""
@@ -107,6 +106,7 @@ class Store:
             self._database.execute("insert or ignore into env(json) values (?)", (text,))
             found = self._database.execute("select id from env where json = ?", (text,))
             self._env = int(found.fetchone()[0])
+            self._environment = text
 
     def missing(self, tasks: Iterable[Task]) -> list[Task]:
         """Return the tasks without a finished run, in order; failed runs are tried again."""
@@ -127,7 +127,7 @@ class Store:
                 )
                 added = self._database.execute(
                     f"insert or replace into run({_COLUMNS}, sha) values ({marks})",  # noqa: S608
-                    (*values, _digest(values, curve)),
+                    (*values, _digest(values, self._environment, curve)),
                 )
                 self._database.execute(
                     "insert into curve(id, y) values (?, ?)", (added.lastrowid, curve)
@@ -143,10 +143,10 @@ class Store:
             task.algorithm,
             task.repeat,
             task.run,
-            None if record.reason else record.cost + 0.0,  # SQLite keeps no negative zero
+            None if record.reason else float(record.cost) + 0.0,  # SQLite keeps no negative zero
             record.x.astype(_FLOAT).tobytes(),
-            record.evaluations,
-            record.seconds,
+            int(record.evaluations),
+            float(record.seconds),
             record.reason,
             self._env,
         )
@@ -157,17 +157,21 @@ class Store:
         Raises StoreError for a row that is not what was written.
         """
         query = (
-            f"select {_COLUMNS}, sha, y from run join curve using (id) where key = ?"  # noqa: S608
+            f"select {_COLUMNS}, sha, json, y from run left join curve using (id) "  # noqa: S608
+            "left join env on env.id = run.env where run.id = ?"
         )
+        with self._refusing():
+            # read from the rows, as `missing` does: a damaged index must hide none
+            ids = dict(self._database.execute("select key, id from run not indexed").fetchall())
         for task in tasks:
-            with self._refusing():
-                row = self._database.execute(query, (task.key,)).fetchone()
-            if row is not None:
+            if task.key in ids:
+                with self._refusing():
+                    row = self._database.execute(query, (ids[task.key],)).fetchone()
                 yield self._record(task, row)
 
-    def _record(self, task: Task, row: tuple[object, ...]) -> Record:
-        *values, sha, curve = row
-        if not isinstance(curve, bytes) or sha != _digest(tuple(values), curve):
+    def _record(self, task: Task, row: tuple[object, ...] | None) -> Record:
+        *values, sha, environment, curve = row or (None, None, None)
+        if not isinstance(curve, bytes) or sha != _digest(tuple(values), environment, curve):
             message = f"{self.path}: the row of {task.name} is damaged; delete it or the store"
             raise StoreError(message)
         cost, x, evaluations, seconds, reason = values[7:12]
@@ -188,16 +192,20 @@ class Store:
             rows = self._database.execute("select key, env from run").fetchall()
             texts = dict(self._database.execute("select id, json from env").fetchall())
         used = sorted({env for key, env in rows if key in wanted})
-        return [json.loads(texts[env]) for env in used]
+        try:
+            return [json.loads(texts[env]) for env in used]
+        except (KeyError, ValueError):
+            message = f"{self.path}: the environment of a run is damaged; delete the store"
+            raise StoreError(message) from None
 
 
 def _vector(blob: object) -> NDArray[np.float64]:
     return np.frombuffer(blob if isinstance(blob, bytes) else b"", dtype=_FLOAT).astype(np.float64)
 
 
-def _digest(values: tuple[object, ...], curve: bytes) -> str:
+def _digest(values: tuple[object, ...], environment: object, curve: bytes) -> str:
     digest = hashlib.sha256()
-    for value in values:
+    for value in (*values, environment):
         text = value.hex() if isinstance(value, float | bytes) else repr(value)
         digest.update(f"{type(value).__name__}:{text}\0".encode())
     digest.update(curve)
@@ -210,19 +218,41 @@ def finished_keys(folder: Path) -> frozenset[str]:
     Raises StoreError for a file that is no store or a newer one.
     """
     path = folder / "runs.sqlite"
+    if folder.exists() and not folder.is_dir():
+        message = f"the store folder {folder} cannot be used: it is a file"
+        raise InputError(message)
     if not path.exists():
         return frozenset()
+    with (
+        _refusing(path),
+        closing(sqlite3.connect(f"{path.resolve().as_uri()}?mode=ro", uri=True)) as database,
+    ):
+        made = _is_made(database, path)
+        rows = database.execute("select key from run where reason is null") if made else ()
+        return frozenset(key for (key,) in rows)
+
+
+def _is_made(database: sqlite3.Connection, path: Path) -> bool:
+    """Return whether the file holds a store, False where it is empty; StoreError for any other."""
+    version, application = (
+        int(database.execute(f"pragma {name}").fetchone()[0])
+        for name in ("user_version", "application_id")
+    )
+    empty = database.execute("select count(*) from sqlite_master").fetchone() == (0,)
+    if application != APPLICATION and (application or version or not empty):
+        message = f"{path} is not a store of repro: name another folder with --store"
+        raise StoreError(message)
+    if version > SCHEMA:
+        message = f"{path} has schema {version}, newer than {SCHEMA}: update repro"
+        raise StoreError(message)
+    return version > 0
+
+
+@contextmanager
+def _refusing(path: Path) -> Iterator[None]:
     try:
-        database = sqlite3.connect(f"{path.resolve().as_uri()}?mode=ro", uri=True)
-        try:
-            version = int(database.execute("pragma user_version").fetchone()[0])
-            if version > SCHEMA:
-                message = f"{path} has schema {version}, newer than {SCHEMA}: update repro"
-                raise StoreError(message)
-            rows = database.execute("select key from run where reason is null").fetchall()
-        finally:
-            database.close()
+        yield
     except sqlite3.Error as error:
+        usable = getattr(error, "sqlite_errorname", "") not in _UNUSABLE
         message = f"{path} cannot be used as a store: {error}"
-        raise StoreError(message) from None
-    return frozenset(key for (key,) in rows)
+        raise (StoreError if usable else InputError)(message) from None

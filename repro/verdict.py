@@ -70,6 +70,24 @@ class Absolute:
         return f"within {self.amount:g} and the printed rounding" if self.amount else "as printed"
 
 
+@dataclass(frozen=True, slots=True)
+class RoundedOrCut:
+    """The printed digits, whether they were rounded or whatever follows them was cut off."""
+
+    def band(self, printed: Printed) -> Interval:
+        """Return from half a unit of the last digit towards zero to a whole one away from it."""
+        noise = 1e-12 * abs(printed.value)  # doubles: a value on the very edge is inside
+        near, away = printed.rounding + noise, 2 * printed.rounding + noise
+        below = away if printed.value <= 0 else near
+        above = away if printed.value >= 0 else near
+        return printed.value - below, printed.value + above
+
+    @property
+    def words(self) -> str:
+        """The tolerance as a phrase."""
+        return "the printed digits, rounded or cut off"
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Fitness:
     """Near zero within decades, elsewhere within a share; a printed 0 means below `zero`."""
@@ -80,14 +98,14 @@ class Fitness:
     zero: float = ZERO_FITNESS
 
     def band(self, printed: Printed) -> Interval:
-        """Return the accepted band of a non-negative fitness."""
+        """Return the accepted band; decades count away from zero on either side of it."""
         if printed.value == 0:
             return 0.0, self.zero
-        if printed.value >= self.near_zero:
+        if abs(printed.value) >= self.near_zero:
             return Percent(self.percent).band(printed)
         factor = 10.0**self.decades
         low, high = printed.value - printed.rounding, printed.value + printed.rounding
-        return low / factor, high * factor
+        return (low / factor, high * factor) if printed.value > 0 else (low * factor, high / factor)
 
     @property
     def words(self) -> str:
@@ -112,6 +130,8 @@ class Between:
     @property
     def words(self) -> str:
         """The tolerance as a phrase."""
+        if self.low == self.high:
+            return f"exactly {self.low:g}"
         return f"between {self.low:g} and {self.high:g}"
 
 

@@ -18,8 +18,10 @@ from papers.liang2026.printed import (
     TABLE_IV,
     TABLE_V,
     TABLE_VI,
+    TIME_SAVED,
     VELOCITY,
 )
+from papers.liang2026.relations import RELATIONS
 from repro.claims import Sentence, computed_cells, every_cell, lowest_everywhere
 from repro.figures import Convergence, Motion, ToolPath
 from repro.functions import FUNCTIONS
@@ -168,7 +170,7 @@ SENTENCES = (
     Sentence(
         claim="IWOA takes 18.3 % less time than the motion before optimisation",
         where="abstract",
-        printed=Printed("18.3", "%"),
+        printed=TIME_SAVED,
         measure=Reduction(before=BASELINE_TOTAL, after=total_time("IWOA")),
         accepted=Absolute(0.5),
     ),
@@ -190,7 +192,7 @@ SENTENCES = (
         claim="IWOA plans a clearly faster motion than WOA (read as: at least 1 % less time; "
         "the printed times differ by 18.3 %)",
         where="sections IV-C and VI",
-        printed=Printed("18.3", "%"),
+        printed=TIME_SAVED,
         measure=Reduction(before=total_time("WOA"), after=total_time("IWOA")),
         accepted=Between(1, 100),
     ),
@@ -293,4 +295,5 @@ PAPER = Paper(
             algorithms=("WOA", "IWOA"),
         ),
     ),
+    relations=RELATIONS,
 )

@@ -175,4 +175,3 @@ ERRATA = (
         because="that is what the numbered equations say; (13) is the Tent map",
     ),
 )
-

@@ -10,7 +10,8 @@ the program is followed:
 - the dance turns by a whole number of degrees from 1 to 180, none of them skipped;
 - for a negative coordinate the bounds of Eq. (3) change places, and a brood ball ends on X*(1+R);
 - the group ends 12 and 19 are fixed numbers made for 30 beetles; only the rollers scale with N
-  (`groups="proportional"` scales them all).
+  (`groups="proportional"` scales them all). From 63 beetles on the rollers reach past 12, and
+  those past it are moved and evaluated a second time by the next groups.
 """
 
 import math
@@ -21,6 +22,7 @@ import numpy as np
 
 from repro.compiled import jit
 from repro.draws import below, normal, uniform
+from repro.errors import InputError
 from repro.optimisers.population import clip, copy_into, uniform_population
 from repro.optimisers.search import Budget, Problem, Result, Spending, search
 
@@ -59,7 +61,8 @@ def _dbo(cost, data, bounds, population, iterations, parameters, state):
                 best_cost = P_costs[i]
                 copy_into(best, P[i])
         history[t - 1] = best_cost
-    return best, best_cost, history, population * (iterations + 1)
+    each = population + max(rollers - broods, 0)
+    return best, best_cost, history, population + each * iterations
 
 
 @jit
@@ -111,9 +114,7 @@ def _forage(X, P, best, R, start, end, bounds, state):
     for i in range(start, end):
         C1 = normal(state)
         for j in range(X.shape[1]):  # Eq. (6)
-            X[i, j] = (
-                P[i, j] + C1 * (P[i, j] - lower[j]) + uniform(state) * (P[i, j] - upper[j])
-            )
+            X[i, j] = P[i, j] + C1 * (P[i, j] - lower[j]) + uniform(state) * (P[i, j] - upper[j])
 
 
 @jit
@@ -140,15 +141,21 @@ class DBO:
     size: float = 0.5
     groups: Literal["as coded", "proportional"] = "as coded"
 
+    def __post_init__(self) -> None:
+        """Raise InputError for a share of producers outside [0, 1]."""
+        if not 0 <= self.producers <= 1:
+            message = f"producers={self.producers} is a share: it lies between 0 and 1"
+            raise InputError(message)
+
     def minimise(self, problem: Problem, **budget: Unpack[Budget]) -> Result:
-        """Return the best point found by N·(T + 1) evaluations; see `Optimiser`."""
+        """Return the best point found by N·(T + 1) evaluations, if N < 63; see `Optimiser`."""
         ends = self._group_ends(budget["population"])
         constants = (self.deflection, self.pull, self.natural, self.obstacle, self.size)
         return search(
             _dbo,
             problem,
             parameters=(*ends, *constants),
-            spending=lambda population: Spending(start=population, each=population),
+            spending=self._spending,
             least=_LEAST_AS_CODED if self.groups == "as coded" else 5,
             **budget,
         )
@@ -156,6 +163,8 @@ class DBO:
     def _group_ends(self, population: int) -> tuple[int, int, int]:
         if self.groups == "proportional":
             return 6 * population // 30, 12 * population // 30, 19 * population // 30
-        rollers = int(self.producers * population + 0.5)
-        # beyond 60 beetles the rollers pass the fixed ends, and those groups are empty
-        return rollers, max(rollers, 12), max(rollers, 19)
+        return int(self.producers * population + 0.5), 12, 19
+
+    def _spending(self, population: int) -> Spending:
+        rollers, broods, _ = self._group_ends(population)
+        return Spending(start=population, each=population + max(rollers - broods, 0))

@@ -120,9 +120,12 @@ class GSA:
     bounds: Literal["re-initialise", "clip"] = "re-initialise"
 
     def __post_init__(self) -> None:
-        """Raise InputError for a percentage outside [0, 100]."""
+        """Raise InputError for a percentage outside [0, 100] or an unknown rule for bounds."""
         if not 0 <= self.final_percent <= 100:
-            message = f"final_percent={self.final_percent} lies not between 0 and 100"
+            message = f"final_percent={self.final_percent} is impossible: it lies in 0 to 100"
+            raise InputError(message)
+        if self.bounds not in {"re-initialise", "clip"}:
+            message = f"bounds={self.bounds!r} is unknown; it may be 're-initialise' or 'clip'"
             raise InputError(message)
 
     def minimise(self, problem: Problem, **budget: Unpack[Budget]) -> Result:

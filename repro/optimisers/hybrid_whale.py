@@ -177,8 +177,12 @@ def _move(X, best, t, iterations, parameters, state):
     share = t / iterations
     a = 2.0 * (1.0 - share * share) if parameters[CONTROL] == 1.0 else 2.0 - 2.0 * t / iterations
     a2 = -1.0 - share
-    b = parameters[SPIRAL_LAST] + (parameters[SPIRAL_FIRST] - parameters[SPIRAL_LAST]) * (1.0 - share)
-    threshold = 0.5 + 0.5 * math.cos(math.pi * t / iterations) if parameters[PROBABILITY] == 1.0 else 0.5
+    b = parameters[SPIRAL_LAST] + (parameters[SPIRAL_FIRST] - parameters[SPIRAL_LAST]) * (
+        1.0 - share
+    )
+    threshold = (
+        0.5 + 0.5 * math.cos(math.pi * t / iterations) if parameters[PROBABILITY] == 1.0 else 0.5
+    )
     for i in range(X.shape[0]):
         A = C = 0.0
         if not vector:

@@ -43,9 +43,12 @@ class RestToRestLaw:
         inside = real[(real > 0.0) & (real < 1.0)]
         return float(np.max(np.abs(curve(np.concatenate([[0.0, 1.0], inside])))))
 
-    def sample(
-        self, share: NDArray[np.float64], derivative: int = 0
-    ) -> NDArray[np.float64]:
+    def squared(self, derivative: int) -> float:
+        """Return ∫ s^(m)(τ)² dτ: a move D in time T has factor · D² / T^(2m-1)."""
+        curve = self.polynomial.deriv(derivative)
+        return float((curve**2).integ()(1.0))
+
+    def sample(self, share: NDArray[np.float64], derivative: int = 0) -> NDArray[np.float64]:
         """Return s^(m) at normalised times `share`, same shape."""
         curve = self.polynomial.deriv(derivative) if derivative else self.polynomial
         return np.asarray(curve(share))

@@ -5,7 +5,7 @@ derivative, so whether a motion obeys its limits is decided exactly, without sam
 """
 
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,9 +15,9 @@ from repro.errors import DeclarationError
 from repro.robotics.polynomials import RestToRestLaw
 
 Vector = NDArray[np.float64]
-Handling = Literal["feasibility first", "penalty", "rejection"]
+Handling = Literal["feasibility first", "penalty", "rejection", "fixed penalties"]
 DERIVATIVES = {1: "velocity", 2: "acceleration", 3: "jerk"}
-_HEADER = 5
+_HEADER = 8
 
 
 @jit
@@ -26,6 +26,7 @@ def _cost(x, data):
     handling, weight, longest = data[2], data[3], data[4]
     total = 0.0
     excess = 0.0
+    broken = 0  # one bit per kind of limit
     for k in range(segments):
         total += x[k]
         power = 1.0
@@ -38,13 +39,19 @@ def _cost(x, data):
                 peak_share = factor * distance / (power * limit)
                 if peak_share > 1.0:
                     excess += peak_share - 1.0
+                    broken |= 1 << m
     if excess == 0.0:
         return total
     if handling == 0.0:
         return longest + excess  # worse than every motion that obeys, and ordered by excess
     if handling == 1.0:
         return total + weight * excess
-    return longest + 1.0
+    if handling == 2.0:
+        return longest + 1.0
+    for m in range(3):
+        if broken & (1 << m):
+            total += data[5 + m]
+    return total
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -56,7 +63,8 @@ class MinimumTime:
     `handling` says what a search is told of a motion that breaks a limit: "feasibility first"
     ranks it behind every motion that obeys (K. Deb, Computer Methods in Applied Mechanics and
     Engineering 186 (2000) 311-338), "penalty" adds `weight` seconds per unit of relative excess,
-    "rejection" gives one flat cost.
+    "rejection" gives one flat cost, "fixed penalties" adds the velocity, acceleration or jerk entry
+    of `penalties`, in s, once if any joint breaks a limit of that kind anywhere.
     """
 
     waypoints: tuple[tuple[float, ...], ...]
@@ -67,6 +75,7 @@ class MinimumTime:
     durations: tuple[float, float]
     handling: Handling = "feasibility first"
     weight: float = 1000.0
+    penalties: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
     def __post_init__(self) -> None:
         """Raise DeclarationError unless there is one limit of each kind per joint."""
@@ -89,7 +98,7 @@ class MinimumTime:
 
     @property
     def limits(self) -> Vector:
-        """Limits on the first three derivatives, shape (3, joints); infinite where there is none."""
+        """Limits on the first three derivatives (3, joints), infinite where there is none."""
         jerk = self.jerk or (np.inf,) * len(self.velocity)
         return np.array([self.velocity, self.acceleration, jerk])
 
@@ -106,11 +115,12 @@ class MinimumTime:
     @property
     def data(self) -> Vector:
         """Everything that the compiled cost needs, in one vector."""
-        handling = ("feasibility first", "penalty", "rejection").index(self.handling)
+        handling = get_args(Handling).index(self.handling)
         longest = self.segments * self.durations[1]
         header = (self.segments, len(self.velocity), handling, self.weight, longest)
         factors = [self.law.peak_factor(m) for m in DERIVATIVES]
-        return np.concatenate([header, factors, self.limits.ravel(), self.distances.ravel()])
+        limits, distances = self.limits.ravel(), self.distances.ravel()
+        return np.concatenate([header, self.penalties, factors, limits, distances])
 
     @property
     def identity(self) -> tuple[object, ...]:
@@ -119,7 +129,7 @@ class MinimumTime:
 
     def shortest(self) -> Vector:
         """Return the least duration of each segment that keeps every limit, shape (segments,)."""
-        return self.times_to_keep().max(axis=(1, 2))
+        return np.asarray(self.times_to_keep().max(axis=(1, 2)))
 
     def times_to_keep(self) -> Vector:
         """Return the least duration per (segment, derivative, joint), in s."""
@@ -133,20 +143,29 @@ class MinimumTime:
         """Return "total" or "duration k" of motions `points` (…, segments), shape (…), in s.
 
         A segment that breaks a limit counts with the least duration that keeps it, so a reported
-        time is always the time of a motion that obeys.
+        time is the time of a motion that obeys; under fixed penalties it is what the search found.
         """
-        obeying = np.maximum(points, self.shortest())
+        known = ("total", *(f"duration {k + 1}" for k in range(self.segments)))
+        if name not in known:
+            message = f"a motion has no quantity {name!r}; it has {', '.join(known)}"
+            raise DeclarationError(message)
+        fixed = self.handling == "fixed penalties"
+        counted = points if fixed else np.maximum(points, self.shortest())
         if name == "total":
-            return np.asarray(obeying.sum(axis=-1))
-        k = int(name.removeprefix("duration ")) - 1
-        return np.asarray(obeying[..., k])
+            return np.asarray(counted.sum(axis=-1))
+        return np.asarray(counted[..., known.index(name) - 1])
 
 
 def peak(problem: MinimumTime, durations: tuple[float, ...], derivative: int) -> float:
     """Return the largest value that any joint reaches in the derivative, in rad/s^derivative."""
+    return float(peaks(problem, durations, derivative).max())
+
+
+def peaks(problem: MinimumTime, durations: tuple[float, ...], derivative: int) -> Vector:
+    """Return the largest value of each joint in the derivative, (joints,), rad/s^derivative."""
     factor = problem.law.peak_factor(derivative)
     times = np.array(durations)[:, None]
-    return float(np.max(factor * problem.distances / times**derivative))
+    return np.asarray((factor * problem.distances / times**derivative).max(axis=0))
 
 
 def motion(

@@ -11,7 +11,7 @@ Vector = NDArray[np.float64]
 def resampled(
     values: Vector, statistic: Callable[[Vector], Vector], *, tables: int, rng: np.random.Generator
 ) -> Vector:
-    """Return the statistic of `tables` tables drawn with replacement from all runs, shape (tables,).
+    """Return the statistic of tables drawn with replacement from all runs, shape (tables,).
 
     `values` has shape (repeats, n): every repeat of the protocol; each drawn table has n runs
     (B. Efron, Annals of Statistics 7 (1979) 1-26, doi:10.1214/aos/1176344552).

@@ -1,0 +1,120 @@
+# /// script
+# dependencies = ["nox[uv]>=2025.2"]
+# ///
+"""What can be done here; `nox -l` lists it."""
+
+import os
+import shutil
+
+import nox
+
+nox.needs_version = ">=2025.2"
+nox.options.default_venv_backend = "uv|virtualenv"
+nox.options.sessions = ["lint", "types", "tests"]
+nox.options.reuse_venv = "yes"
+
+# one thread per run: the engine itself spreads runs over the cores
+ONE_THREAD = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
+LOCKS = {"run": [], "test": ["test"], "lint": ["lint"], "types": ["types"], "cluster": ["cluster"]}
+
+
+def _install(session: nox.Session, lock: str) -> None:
+    session.install("--require-hashes", "-r", f"requirements/{lock}.lock")
+    session.install("--no-deps", "--no-build-isolation", "-e", ".")
+
+
+def _readme(session: nox.Session) -> None:
+    session.run("python", "-m", "repro.report.readme", "README.md", "reports/verdicts.md")
+
+
+@nox.session
+def reproduce(session: nox.Session) -> None:
+    """Run every paper's protocol as far as it is missing, then write reports/ (arguments go on)."""
+    _install(session, "run")
+    session.run("repro", "reproduce", *session.posargs, env=ONE_THREAD)
+    if not session.posargs:
+        _readme(session)
+
+
+@nox.session
+def report(session: nox.Session) -> None:
+    """Write reports/ from the store without running anything."""
+    _install(session, "run")
+    session.run("repro", "report", *session.posargs, env=ONE_THREAD)
+    if not session.posargs:
+        _readme(session)
+
+
+@nox.session
+def tests(session: nox.Session) -> None:
+    """Run the tests, a full-size re-run of the papers' protocols and browser checks among them."""
+    _install(session, "test")
+    session.run("pytest", *session.posargs, env={**ONE_THREAD, "REPRO_BROWSER": _browser(session)})
+
+
+@nox.session
+def fuzz(session: nox.Session) -> None:
+    """Run the property-based tests with many more examples."""
+    _install(session, "test")
+    environment = {**ONE_THREAD, "HYPOTHESIS_PROFILE": "fuzz"}
+    session.run("pytest", "-m", "not browser and not full_size", *session.posargs, env=environment)
+
+
+@nox.session
+def lint(session: nox.Session) -> None:
+    """Check style with ruff: all rules less the list in pyproject.toml."""
+    session.install("--require-hashes", "-r", "requirements/lint.lock")
+    session.run("ruff", "check")
+    session.run("ruff", "format", "--check")
+
+
+@nox.session
+def types(session: nox.Session) -> None:
+    """Check types with mypy, strictly."""
+    _install(session, "types")
+    session.run("mypy", *session.posargs)
+
+
+@nox.session
+def bench(session: nox.Session) -> None:
+    """Measure speed: algorithms, and WOA against the same loop in C."""
+    _install(session, "test")
+    session.run("pytest", "benchmarks", "--benchmark-only", *session.posargs, env=ONE_THREAD)
+
+
+@nox.session
+def lock(session: nox.Session) -> None:
+    """Write the hashed locks in requirements/ anew from pyproject.toml."""
+    session.install("uv")
+    for name, extras in LOCKS.items():
+        options = [word for extra in extras for word in ("--extra", extra)]
+        session.run(
+            *("uv", "pip", "compile", "pyproject.toml", "requirements/build.in", *options),
+            *("--universal", "--python-version", "3.11", "--generate-hashes", "--upgrade"),
+            *("--no-annotate", "--no-header", "--quiet", "-o", f"requirements/{name}.lock"),
+        )
+
+
+def _browser(session: nox.Session) -> str:
+    """Return a Chromium for the tests of the pages; as root, install Debian's where none is."""
+    known = (os.environ.get("REPRO_BROWSER"), "chromium", "chromium-browser", "google-chrome")
+    for name in filter(None, known):
+        if path := shutil.which(name):
+            return path
+    if shutil.which("apt-get") and os.geteuid() == 0:
+        session.run("apt-get", "update", "-qq", external=True)
+        session.run(
+            *("apt-get", "install", "-y", "-qq", "--no-install-recommends", "chromium"),
+            external=True,
+            silent=True,
+        )
+        if path := shutil.which("chromium"):
+            return path
+    if os.environ.get("CI"):
+        session.error("no Chromium: install one, or name it in REPRO_BROWSER")
+    session.log("no Chromium found: the tests of the pages in a browser are left out")
+    return ""
+
+
+if __name__ == "__main__":
+    nox.main()

@@ -1,0 +1,181 @@
+"""The command line, and the only importer of papers."""
+
+import argparse
+import dataclasses
+import importlib
+import json
+import pkgutil
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+import papers
+from repro.errors import InputError, ReproError
+from repro.model import Paper
+
+INTERRUPTED = 130
+SOME_RUN_FAILED = 1
+DEFAULT_REPEATS = 10
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run one command and return its exit code; bad input is one line on stderr."""
+    options = _parser().parse_args(arguments)
+    command: Callable[[argparse.Namespace], int] = options.command
+    try:
+        return command(options)
+    except ReproError as error:
+        sys.stderr.write(f"repro: {error}\n")
+        return error.exit_code
+    except KeyboardInterrupt:
+        sys.stderr.write("\nrepro: interrupted; finished runs are kept, the same call goes on\n")
+        return INTERRUPTED
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="repro", description="Re-run published papers and say, number by number, what holds."
+    )
+    commands = parser.add_subparsers(required=True, metavar="COMMAND")
+    reproduce = _command(commands, _reproduce, "reproduce", "run what is missing, then write pages")
+    reproduce.add_argument("--workers", type=int, help="threads on this machine (default: cores)")
+    reproduce.add_argument("--dask", metavar="ADDRESS", help="use the Dask cluster at this address")
+    report = _command(commands, _report, "report", "write pages from the store, run nothing")
+    listing = _command(
+        commands, _list, "list", "papers, experiments, tables, runs done and missing"
+    )
+    for command in (reproduce, report, listing):
+        command.add_argument(
+            "--repeats", type=int, default=DEFAULT_REPEATS, help="how often the whole protocol runs"
+        )
+        command.add_argument("--store", type=Path, default=Path(".repro"), metavar="DIR")
+    for command in (reproduce, report):
+        command.add_argument("--reports", type=Path, default=Path("reports"), metavar="DIR")
+    audit = _command(commands, _audit, "audit", "what the printed tables say about themselves")
+    certificates = _command(commands, _certify, "certify", "proved minima of the motion problems")
+    for command in (listing, audit, certificates):
+        command.add_argument("--json", action="store_true", help="print JSON")
+    return parser
+
+
+def _command(
+    commands: "argparse._SubParsersAction[argparse.ArgumentParser]",
+    run: Callable[[argparse.Namespace], int],
+    name: str,
+    text: str,
+) -> argparse.ArgumentParser:
+    parser = commands.add_parser(name, help=text, description=text)
+    parser.add_argument("keys", nargs="*", metavar="KEY", help="papers (default: all)")
+    parser.set_defaults(command=run)
+    return parser
+
+
+def all_papers() -> dict[str, Paper]:
+    """Return every paper that a module of `papers` declares, by key."""
+    modules = (
+        importlib.import_module(f"papers.{info.name}")
+        for info in pkgutil.iter_modules(papers.__path__)
+    )
+    return {module.PAPER.key: module.PAPER for module in modules}
+
+
+def _chosen(keys: Sequence[str]) -> list[Paper]:
+    known = all_papers()
+    for key in keys:
+        if key not in known:
+            message = f"unknown paper {key!r}; known: {', '.join(known)}"
+            raise InputError(message)
+    return [paper for key, paper in known.items() if not keys or key in keys]
+
+
+def _reproduce(options: argparse.Namespace) -> int:
+    from repro.executors import cluster, local, usable_cores  # noqa: PLC0415 (slow imports late)
+    from repro.plan import plan  # noqa: PLC0415
+    from repro.progress import Progress  # noqa: PLC0415
+    from repro.provenance import provenance  # noqa: PLC0415
+    from repro.report.pages import usable_folder, write_report  # noqa: PLC0415
+    from repro.session import run_missing  # noqa: PLC0415
+    from repro.store import Store  # noqa: PLC0415
+
+    chosen = _chosen(options.keys)
+    tasks = plan(chosen, options.repeats)
+    workers = usable_cores() if options.workers is None else options.workers
+    usable_folder(options.reports)
+    with Store(options.store) as store:
+        if options.dask:
+            with cluster(options.dask) as (executor, threads):
+                failed = run_missing(
+                    store, tasks, executor=executor, workers=threads,
+                    environment=provenance, report=Progress(),
+                )  # fmt: skip
+        else:
+            with local(workers) as executor:
+                failed = run_missing(
+                    store, tasks, executor=executor, workers=workers,
+                    environment=provenance, report=Progress(),
+                )  # fmt: skip
+        write_report(store, chosen, tasks, options.reports, all_papers().values())
+    for record in failed:
+        sys.stderr.write(f"repro: run {record.task.name} failed: {record.reason}\n")
+    sys.stdout.write(f"pages: {options.reports / 'index.html'}\n")
+    return SOME_RUN_FAILED if failed else 0
+
+
+def _report(options: argparse.Namespace) -> int:
+    from repro.plan import plan  # noqa: PLC0415 (slow imports late)
+    from repro.report.pages import write_report  # noqa: PLC0415
+    from repro.store import Store  # noqa: PLC0415
+
+    chosen = _chosen(options.keys)
+    tasks = plan(chosen, options.repeats)
+    with Store(options.store) as store:
+        write_report(store, chosen, tasks, options.reports, all_papers().values())
+    sys.stdout.write(f"pages: {options.reports / 'index.html'}\n")
+    return 0
+
+
+def _list(options: argparse.Namespace) -> int:
+    from repro.listing import listing, listing_text  # noqa: PLC0415 (slow imports late)
+
+    rows = listing(_chosen(options.keys), options.repeats, options.store)
+    sys.stdout.write(json.dumps(rows, indent=2) + "\n" if options.json else listing_text(rows))
+    return 0
+
+
+def _audit(options: argparse.Namespace) -> int:
+    from repro.audit import audit  # noqa: PLC0415 (slow imports late)
+
+    rows = [row for paper in _chosen(options.keys) for row in audit(paper)]
+    lines = [
+        f"{row.grade}: {row.paper}, {row.table}, {row.row or 'several cells'}"
+        f"{f', {row.column}' if row.column else ''}: {row.explanation}"
+        for row in rows
+    ]
+    return _say(rows, lines, as_json=options.json)
+
+
+def _certify(options: argparse.Namespace) -> int:
+    from repro.certify import certify  # noqa: PLC0415 (slow imports late)
+
+    rows = [row for paper in _chosen(options.keys) for row in certify(paper)]
+    lines = [
+        f"{row.paper}, {row.problem}: "
+        + ("no minimum" if row.minimum is None else f"minimum {row.minimum:.6g} s")
+        + f"; {'; '.join(row.binding) or row.explanation}"
+        for row in rows
+    ]
+    return _say(rows, lines, as_json=options.json)
+
+
+def _say(rows: Sequence[Any], lines: Sequence[str], *, as_json: bool) -> int:
+    if as_json:
+        plain = [dataclasses.asdict(row) for row in rows]
+        sys.stdout.write(json.dumps(plain, indent=2, ensure_ascii=False) + "\n")
+    else:
+        sys.stdout.writelines(line + "\n" for line in lines)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,71 @@
+"""What printed tables say about themselves, before any run.
+
+Grades: `impossible` is a proof, by arithmetic that allows every print to be rounded or cut off,
+or by what doubles can hold; `inconsistent` means that two printed places disagree; `noted` is a
+coincidence or a place to look.
+"""
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+from repro.audit.blocks import blocks
+from repro.audit.doubles import double_rows
+from repro.audit.inputs import range_rows, same_rows, spacing_rows
+from repro.audit.order import order_rows
+from repro.audit.poses import pose_rows
+from repro.audit.probabilities import p_value_rows
+from repro.audit.ranks import rank_rows
+from repro.audit.repeats import repeat_rows
+from repro.audit.rows import AuditRow, Grade, Place
+from repro.audit.sentences import sentence_rows
+from repro.audit.spread import spread_rows
+from repro.audit.sums import difference_rows, percentage_rows, sum_rows
+from repro.audit.times import time_rows
+from repro.model import Paper
+from repro.relations import (
+    AverageRank,
+    Difference,
+    EqualSpacing,
+    InRange,
+    PercentLower,
+    PrintedPoses,
+    PValues,
+    Relation,
+    SameNumbers,
+    Sum,
+)
+
+__all__ = ["AuditRow", "Grade", "Place", "audit"]
+
+
+def audit(paper: Paper) -> tuple[AuditRow, ...]:
+    """Return every row that the paper's printed numbers give, tables first, then relations."""
+    return tuple(_rows(paper))
+
+
+def _rows(paper: Paper) -> Iterator[AuditRow]:
+    found = blocks(paper)
+    for block in found:
+        yield from order_rows(paper.key, block)
+        yield from spread_rows(paper.key, block)
+        yield from double_rows(paper.key, block)
+    yield from time_rows(paper)
+    yield from sentence_rows(paper)
+    for relation in paper.relations:
+        yield from _relation_rows(paper.key, relation)
+    yield from repeat_rows(paper.key, found)
+
+
+def _relation_rows(paper: str, relation: Relation) -> Iterator[AuditRow]:
+    checks: dict[type, Callable[[str, Any], Iterator[AuditRow]]] = {
+        Sum: sum_rows,
+        Difference: difference_rows,
+        PercentLower: percentage_rows,
+        AverageRank: rank_rows,
+        PValues: p_value_rows,
+        EqualSpacing: spacing_rows,
+        InRange: range_rows,
+        SameNumbers: same_rows,
+        PrintedPoses: pose_rows,
+    }
+    return checks[type(relation)](paper, relation)

@@ -1,0 +1,87 @@
+"""The printed statistics of one algorithm on one problem, and what they are statistics of."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from repro.audit.spans import Span, exact, is_scientific, statistic_span
+from repro.claims import CellClaim
+from repro.functions import BenchmarkProblem, Function
+from repro.measures import Statistic
+from repro.model import Paper
+from repro.published import Printed
+from repro.relations import TableCell
+
+# Functions that add terms of fixed size which cancel at the minimum: near it every value is a
+# multiple of the spacing of doubles at the smallest of these terms.
+CANCELLING = {"ackley": 2.0**-51, "rastrigin": 2.0**-49}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Block:
+    """Statistics by name ("best", "mean", …) as printed in one table, over `n` runs."""
+
+    problem_name: str
+    algorithm: str
+    quantity: str
+    problem: Any
+    n: int
+    claims: Mapping[str, CellClaim]
+    scientific: bool
+
+    @property
+    def function(self) -> Function | None:
+        """The benchmark function whose values these are."""
+        known = isinstance(self.problem, BenchmarkProblem) and self.quantity == "cost"
+        return self.problem.function if known else None
+
+    @property
+    def floor(self) -> Fraction | None:
+        """A number that no run lies below, in doubles; None where none is known."""
+        if self.function is None:
+            return None
+        least = exact(self.function.minimum)
+        slack = max(abs(least) / 2**40, 4 * Fraction(CANCELLING.get(self.function.name, 0)))
+        return least - slack
+
+    def printed(self, statistic: str) -> Printed:
+        """Return the number as printed."""
+        return self.claims[statistic].printed
+
+    def cell(self, statistic: str) -> TableCell:
+        """Return where it stands."""
+        claim = self.claims[statistic]
+        return TableCell(table=claim.table, row=claim.row, column=claim.column)
+
+    def span(self, statistic: str) -> Span | None:
+        """Return what can stand behind it, no lower than the floor; None where not printed."""
+        if statistic not in self.claims:
+            return None
+        spread = statistic == "std"
+        whole = statistic_span(self.printed(statistic), scientific=self.scientific, spread=spread)
+        if spread or self.floor is None:
+            return whole
+        return Span(max(whole.low, self.floor), max(whole.high, self.floor))
+
+
+def blocks(paper: Paper) -> tuple[Block, ...]:
+    """Return the blocks of all tables of the paper, in the order of its claims."""
+    experiments = {experiment.name: experiment for experiment in paper.experiments}
+    found: dict[tuple[str, ...], dict[str, CellClaim]] = {}
+    for claim in paper.claims:
+        if isinstance(claim, CellClaim) and isinstance(claim.measure, Statistic):
+            key = (claim.table.label, *claim.measure.cell, claim.measure.quantity)
+            found.setdefault(key, {})[claim.measure.statistic] = claim
+    return tuple(
+        Block(
+            problem_name=problem,
+            algorithm=algorithm,
+            quantity=quantity,
+            problem=experiments[experiment].problems[problem],
+            n=experiments[experiment].runs,
+            claims=claims,
+            scientific=is_scientific(next(iter(claims.values())).table),
+        )
+        for (_, experiment, problem, algorithm, quantity), claims in found.items()
+    )

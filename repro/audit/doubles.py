@@ -1,0 +1,118 @@
+"""What IEEE doubles forbid: values that a function cannot take, and spreads that are rounding."""
+
+import math
+from collections.abc import Iterator
+from fractions import Fraction
+
+from repro.audit.blocks import CANCELLING, Block
+from repro.audit.rows import AuditRow, Grade, audit_row
+from repro.audit.spans import Span, exact, shown, span, statistic_span
+
+CONDITIONS = {
+    "ackley": "if the four terms are computed as doubles and then added, in whatever order: near "
+    "the minimum each of them, 20 and e included, is a multiple of this step",
+    "rastrigin": "if x² is first added to 10 or to −10 cos(2πx), as the formula reads from left "
+    "to right and with 10n added at the end: both terms of size 10 are multiples of this step",
+}
+RUNS = 1000  # the largest number of runs that is tried to explain a spread of rounding
+SPACINGS = 16  # a computed mean of equal values is off by fewer of its last bits than this
+
+
+def double_rows(paper: str, block: Block) -> Iterator[AuditRow]:
+    """Yield rows for values below the minimum, between two doubles, and for spreads of rounding."""
+    for statistic in ("best", "mean", "median", "worst"):
+        if statistic in block.claims:
+            for check, explanation in (
+                ("below-minimum", _below_minimum(block, statistic)),
+                ("double-step", _between_doubles(block, statistic)),
+            ):
+                if explanation:
+                    yield audit_row(
+                        paper,
+                        (block.cell(statistic),),
+                        check=check,
+                        grade=Grade.IMPOSSIBLE,
+                        explanation=explanation,
+                    )
+    if explanation := _rounding_spread(block):
+        yield audit_row(
+            paper,
+            (block.cell("std"),),
+            check="std-at-rounding",
+            grade=Grade.NOTED,
+            explanation=explanation,
+        )
+
+
+def _own_span(block: Block, statistic: str) -> Span:
+    return statistic_span(block.printed(statistic), scientific=block.scientific, spread=False)
+
+
+def _below_minimum(block: Block, statistic: str) -> str:
+    function, floor = block.function, block.floor
+    highest = _own_span(block, statistic).high
+    if function is None or floor is None or highest >= floor:
+        return ""
+    return (
+        f"printed is {block.printed(statistic).text}, at most {shown(highest)} with its rounding; "
+        f"{function.title} has the minimum {shown(exact(function.minimum))}, and no run or mean "
+        "of runs lies below it"
+    )
+
+
+def _between_doubles(block: Block, statistic: str) -> str:
+    """Explain a value above 0 that is less than the smallest step of a cancelling function."""
+    function, here = block.function, _own_span(block, statistic)
+    if function is None or function.name not in CANCELLING or here.low <= 0:
+        return ""
+    step = Fraction(CANCELLING[function.name])
+    runs = block.n if statistic == "mean" else 1
+    if here.high >= step / runs * Fraction(1023, 1024):  # spares the rounding of the division
+        return ""
+    what = f"the mean of {runs} runs" if runs > 1 else "a run"
+    least = f"{shown(step)}/{runs} = {shown(step / runs)}" if runs > 1 else shown(step)
+    return (
+        f"near its minimum 0, {function.title} takes values in steps of {shown(step)}, so {what} "
+        f"is 0 or at least {least}; printed is {block.printed(statistic).text}. This holds "
+        f"{CONDITIONS[function.name]}"
+    )
+
+
+def _rounding_spread(block: Block) -> str:
+    """Explain a spread no larger than the last bits of the mean.
+
+    Equal values have a computed mean that can be off by k spacings of doubles, and then a
+    standard deviation of k spacings times sqrt(n/(n-1)).
+    """
+    if not {"mean", "std"} <= block.claims.keys() or block.n < 2:
+        return ""
+    spacing = Fraction(math.ulp(block.printed("mean").value))
+    printed = span(block.printed("std"))
+    if printed.low <= 0 or printed.high > SPACINGS * spacing:
+        return ""
+    nearest = max(1, round(exact(block.printed("std").value) / spacing))
+    expected = float(nearest * spacing) * math.sqrt(block.n / (block.n - 1))
+    return (
+        f"doubles near {block.printed('mean').text} are {shown(spacing)} apart; {block.n} equal "
+        "values whose computed mean is off by k of these spacings give k × "
+        f"{shown(spacing)} × sqrt({block.n}/{block.n - 1}), {shown(expected)} for k = {nearest}; "
+        f"printed is {block.printed('std').text}, {_fits(printed, spacing)}"
+    )
+
+
+def _fits(printed: Span, spacing: Fraction) -> str:
+    """Say for which numbers of equal runs rounding alone gives the printed spread."""
+    fits = []
+    for k in range(1, SPACINGS + 1):
+        runs = [
+            n
+            for n in range(2, RUNS + 1)
+            if printed.low**2 <= (k * spacing) ** 2 * Fraction(n, n - 1) <= printed.high**2
+        ]
+        if runs:
+            fits.append(f"k = {k} and {_range(runs)}")
+    return f"which fits {'; '.join(fits)}" if fits else f"which fits no n up to {RUNS}"
+
+
+def _range(runs: list[int]) -> str:
+    return f"n = {runs[0]}" if len(runs) == 1 else f"n from {runs[0]} to {runs[-1]}"

@@ -1,0 +1,1 @@
+"""Pages, figures and result files, made from findings."""

@@ -1,0 +1,57 @@
+"""The counterpart of a paper's figure: a drawing, what it says in words, and its data."""
+
+from dataclasses import dataclass
+
+from repro.evidence import Evidence
+from repro.figures import Convergence, Figure, Motion
+from repro.report.convergence import HEADINGS, convergence_plot
+from repro.report.motion import motion_plot
+from repro.report.style import Plot, Rows, drawing_style, empty
+from repro.report.svg import inline_svg
+from repro.report.tool_path import tool_path_plot
+
+NOTHING = "No runs yet"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Drawing:
+    """A figure ready for a page.
+
+    `svg` is one inline element in the page's own text colour; `title` is label and caption;
+    `description` says in words what is drawn, with its main numbers; `rows` are the data under
+    one row of headings.
+    """
+
+    svg: str
+    title: str
+    description: str
+    rows: Rows
+
+
+def draw(figure: Figure, evidence: Evidence, identifier: str) -> Drawing:
+    """Return the drawing of a declared figure; where no run is there yet, it says so.
+
+    `identifier` begins every id in the SVG, so it must differ between the drawings of a page.
+    The same arguments give the same bytes.
+    """
+    title = f"{figure.label}: {figure.caption}"
+    with drawing_style():
+        plot = _plot(figure, evidence)
+        svg = inline_svg(
+            plot.canvas, identifier=identifier, title=title, description=plot.description
+        )
+    return Drawing(svg=svg, title=title, description=plot.description, rows=plot.rows)
+
+
+def _plot(figure: Figure, evidence: Evidence) -> Plot:
+    if isinstance(figure, Convergence):
+        return convergence_plot(figure, evidence) or _nothing()
+    if isinstance(figure, Motion):
+        return motion_plot(figure, evidence)
+    return tool_path_plot(figure)
+
+
+def _nothing() -> Plot:
+    canvas = empty(0.6)
+    canvas.text(0.5, 0.5, NOTHING, ha="center", va="center")
+    return Plot(canvas=canvas, description=f"{NOTHING}.", rows=(HEADINGS,))

@@ -1,0 +1,218 @@
+"""Writing the reports folder: pages, figures, tables and results.json."""
+
+import csv
+import io
+import os
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+
+from jinja2 import Environment, PackageLoader, StrictUndefined
+from markupsafe import Markup
+
+from repro.audit import audit
+from repro.certify import Certificate, certify
+from repro.errors import InputError
+from repro.evidence import Evidence
+from repro.findings import LEVEL, Finding, judge_paper
+from repro.measures import TABLES
+from repro.model import Paper
+from repro.plan import Task
+from repro.report.drawing import Drawing, draw
+from repro.report.results import (
+    Json,
+    merged,
+    paper_result,
+    read_results,
+    results_text,
+    verdict_counts,
+)
+from repro.report.view import comparisons, marks_by_cell, shown, table_view
+from repro.report.words import MEANINGS, SYMBOLS, anchor, interval, number, raised
+from repro.session import gather
+from repro.store import Store
+from repro.verdict import Verdict
+
+Files = dict[str, str]
+_COLUMNS = (
+    *("table", "row", "column", "claim", "where", "printed", "unit", "value"),
+    *("measured_low", "measured_high", "accepted_low", "accepted_high", "quantile", "repeats"),
+    *("verdict", "side", "note"),
+)
+
+
+def usable_folder(folder: Path) -> None:
+    """Make the folder; InputError where it cannot be written."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        usable = os.access(folder, os.W_OK)
+        reason = "no permission to write"
+    except OSError as error:
+        usable, reason = False, str(error.strerror)
+    if not usable:
+        message = f"the reports folder {folder} cannot be used: {reason}"
+        raise InputError(message)
+
+
+def write_report(
+    store: Store,
+    chosen: Sequence[Paper],
+    tasks: Sequence[Task],
+    folder: Path,
+    known: Iterable[Paper],
+) -> Json:
+    """Write the pages of the chosen papers, the index and results.json; return the results."""
+    usable_folder(folder)
+    files: Files = {}
+    entries = []
+    for paper in chosen:
+        own = [task for task in tasks if task.paper == paper.key]
+        evidence = gather(store, paper, own)
+        provenance = _provenance(evidence, store.environments(own))
+        entries.append(_paper_files(paper, evidence, provenance, files))
+    old = read_results(folder / "results.json")
+    results = merged(entries, old, [paper.key for paper in known])
+    files["results.json"] = results_text(results)
+    files |= index_files(results)
+    for name, text in files.items():
+        _write(folder / name, text)
+    return results
+
+
+def _provenance(evidence: Evidence, environments: list[dict[str, object]]) -> dict[str, object]:
+    runs = evidence.runs.values()
+    return {
+        "repeats": max((len(cell.costs) for cell in runs), default=0),
+        "runs": sum(cell.costs.size for cell in runs),
+        "environments": environments,
+    }
+
+
+def _paper_files(
+    paper: Paper, evidence: Evidence, provenance: Mapping[str, object], files: Files
+) -> Json:
+    findings = judge_paper(evidence)
+    rows = audit(paper)
+    certificates = certify(paper)
+    drawings = [draw(figure, evidence, anchor(paper.key, figure.label)) for figure in paper.figures]
+    entry = paper_result(
+        paper, findings=findings, audit=rows, certificates=certificates, provenance=provenance
+    )
+    marks = marks_by_cell(rows)
+    everything = [shown(finding, marks) for finding in findings]
+    found = {(s.finding.table, s.finding.row, s.finding.column): s for s in everything}
+    context = {
+        "paper": paper,
+        "entry": entry,
+        "counts": verdict_counts(entry),
+        "results": [table_view(table, found) for table in paper.results],
+        "inputs": [table_view(table, {}) for table in paper.inputs],
+        "sentences": [s for s in everything if s.finding.claim],
+        "everything": everything,
+        "comparisons": comparisons(paper, evidence),
+        "audit": rows,
+        "certificates": certificates,
+        "drawings": drawings,
+        "level": LEVEL,
+        "resampled_tables": TABLES,
+        "provenance": provenance,
+    }
+    files[f"{paper.key}.html"] = _render("paper.html", context)
+    files[f"{paper.key}.md"] = _render("paper.md", context)
+    files |= _tables(paper, findings, drawings)
+    return entry
+
+
+def index_files(results: Json) -> Files:
+    """Return the index pages and the table of verdicts alone."""
+    context = {"results": results, "papers": results["papers"], "counts_of": verdict_counts}
+    return {name: _render(name, context) for name in ("index.html", "index.md", "verdicts.md")}
+
+
+def _render(name: str, context: Mapping[str, object]) -> str:
+    environment = Environment(
+        loader=PackageLoader("repro.report"),
+        autoescape=lambda template: bool(template and template.endswith(".html.jinja")),
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )
+    environment.filters |= {
+        "number": number,
+        "raised": raised,
+        "interval": interval,
+        "anchor": anchor,
+        "markup": Markup,  # for the SVG that we draw ourselves
+        "printed_times": _printed_times,
+        "comparison_rows": lambda c: [(problem, *texts) for problem, texts in c.rows],
+        "run_again": run_again,
+        "cell": _markdown,
+    }
+    environment.globals |= {"SYMBOLS": SYMBOLS, "MEANINGS": MEANINGS, "VERDICTS": tuple(Verdict)}
+    return environment.get_template(f"{name}.jinja").render(context)
+
+
+def _markdown(text: object) -> str:
+    """Return text that stays one cell of a Markdown table and can open no tag."""
+    return str(text).replace("|", "\\|").replace("\n", " ").replace("<", "&lt;")
+
+
+def _printed_times(certificate: Certificate) -> list[tuple[str, str, str]]:
+    return [(p.label, number(p.time), f"{p.ratio:.3f}") for p in certificate.printed]
+
+
+def run_again(paper: Paper) -> str:
+    """Return what to type to see the paper, one of its numbers, or one run come out again."""
+    experiment = paper.experiments[0]
+    cell = f"{paper.key}/{experiment.name}/{next(iter(experiment.problems))}/{experiment.proposed}"
+    return f"""# the whole paper, pages included
+nox -s reproduce -- {paper.key}
+
+# one mean, from the runs of the first repeat, in Python (after: pip install .)
+from repro.__main__ import all_papers
+from repro.plan import plan
+from repro.run import execute
+
+tasks = plan([all_papers()["{paper.key}"]], repeats=1)
+costs = [execute(task).cost for task in tasks if task.name.startswith("{cell}/1/")]
+print(sum(costs) / len(costs))"""
+
+
+def _tables(paper: Paper, findings: Sequence[Finding], drawings: Sequence[Drawing]) -> Files:
+    by_table: dict[str, list[Finding]] = {}
+    for finding in findings:
+        by_table.setdefault(finding.table or "claims", []).append(finding)
+    files = {
+        f"tables/{paper.key}-{anchor(label)}.csv": _csv([_COLUMNS, *map(_csv_row, own)])
+        for label, own in by_table.items()
+    }
+    for figure, drawing in zip(paper.figures, drawings, strict=True):
+        files[f"tables/{paper.key}-{anchor(figure.label)}.csv"] = _csv(drawing.rows)
+    return files
+
+
+def _csv_row(finding: Finding) -> tuple[object, ...]:
+    low, high = finding.measured or ("", "")
+    return (
+        finding.table, finding.row, finding.column, finding.claim, finding.where, finding.printed,
+        finding.unit, finding.value, low, high, *finding.accepted, finding.quantile,
+        finding.repeats, finding.verdict, finding.side, finding.note,
+    )  # fmt: skip
+
+
+def _csv(rows: Iterable[Iterable[object]]) -> str:
+    text = io.StringIO()
+    csv.writer(text, lineterminator="\n").writerows(rows)
+    return text.getvalue()
+
+
+def _write(path: Path, text: str) -> None:
+    """Replace a file at once, so that no reader sees half of it."""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        draft = path.with_name(f".{path.name}.draft")
+        draft.write_text(text, encoding="utf-8")
+        draft.replace(path)
+    except OSError as error:
+        message = f"{path} cannot be written: {error.strerror}"
+        raise InputError(message) from None

@@ -1,0 +1,88 @@
+"""How verdicts, numbers and differences are shown: by word and symbol, never colour alone."""
+
+import math
+import re
+
+from markupsafe import Markup, escape
+
+from repro.published import Printed
+from repro.verdict import Verdict
+
+SYMBOLS = {
+    Verdict.REPRODUCED: "✔",
+    Verdict.CONTRADICTED: "✖",
+    Verdict.UNDECIDED: "≈",
+    Verdict.NOT_REPRODUCIBLE: "∅",
+    Verdict.NOT_RUN: "○",
+}
+MEANINGS = {
+    Verdict.REPRODUCED: "the re-run's interval lies inside the band accepted beforehand",
+    Verdict.CONTRADICTED: "the re-run's interval and the accepted band do not meet",
+    Verdict.UNDECIDED: "they overlap: a table of so many runs varies too much to tell",
+    Verdict.NOT_REPRODUCIBLE: "the paper does not print what a re-run needs",
+    Verdict.NOT_RUN: "the runs are not in the store",
+}
+
+
+def number(value: float | None, digits: int = 4) -> str:
+    """Return a number with so many significant digits; powers of ten are written out."""
+    if value is None:
+        return "–"
+    if value == 0:
+        return "0"
+    if abs(value) < 1e5 and value == int(value):
+        return f"{value:.0f}"
+    if 1e-3 <= abs(value) < 1e5:
+        return f"{value:#.{digits}g}".rstrip(".")
+    mantissa, _, power = f"{value:.{digits - 1}e}".partition("e")
+    return f"{mantissa}×10^{int(power)}"
+
+
+def digits_for(printed: Printed) -> int:
+    """Return one significant digit more than is printed, and at least four."""
+    mantissa = re.split(r"[×xeE]", printed.text)[0]
+    return max(4, len(re.sub(r"\D", "", mantissa).lstrip("0")) + 1)
+
+
+def interval(pair: tuple[float, float] | None, digits: int = 4) -> str:
+    """Return two numbers as an interval, or one where they are equal to the digits shown."""
+    if pair is None:
+        return "–"
+    low, high = number(pair[0], digits), number(pair[1], digits)
+    return low if low == high else f"{low} … {high}"
+
+
+def difference(printed: Printed, value: float | None) -> str:
+    """Return how a reproduced value differs: in percent, or as a factor where it is large."""
+    if value is None:
+        return ""
+    if value == printed.value or (printed.value and abs(value - printed.value) <= printed.rounding):
+        return "as printed"
+    if printed.value == 0 or value == 0 or (printed.value < 0) != (value < 0):
+        sign = "+" if value > printed.value else "−"
+        return f"{sign}{number(abs(value - printed.value))}"
+    ratio = value / printed.value
+    if not 0.1 < ratio < 10:
+        return f"{math.log10(ratio):+.1f} decades".replace("-", "−")
+    return f"×{ratio:.2f}" if ratio > 2 else f"{100 * (ratio - 1):+.1f} %".replace("-", "−")
+
+
+def raised(text: object) -> Markup:
+    """Return text, safe for HTML, with its powers of ten raised."""
+    return Markup(re.sub(r"10\^(-?)(\d+)", _power, str(escape(text))))  # noqa: S704 (escaped)
+
+
+def _power(match: re.Match[str]) -> str:
+    return f"10<sup>{'−' if match[1] else ''}{match[2]}</sup>"
+
+
+def verdict_words(verdict: str, side: str | None) -> str:
+    """Return symbol and words of a verdict, with the side of a contradicted number."""
+    word = Verdict(verdict)
+    return f"{SYMBOLS[word]} {word}" + (f" ({side})" if side else "")
+
+
+def anchor(*parts: str | None) -> str:
+    """Return an identifier for deep links made of letters, digits and hyphens."""
+    text = "-".join(part for part in parts if part).lower()
+    return re.sub(r"[^a-z0-9]+", "-", text).strip("-")

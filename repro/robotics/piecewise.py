@@ -1,0 +1,126 @@
+"""Motions of several joints made of one polynomial per joint and segment.
+
+Either at rest at every waypoint, or through the waypoints without stopping: the spline of an odd
+degree 2k + 1 whose derivatives up to the order 2k are continuous and whose first k derivatives
+are zero at both ends (C. de Boor, A Practical Guide to Splines, Springer 1978, chapter XIII).
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.polynomial import Polynomial
+from numpy.typing import NDArray
+
+from repro.robotics.polynomials import RestToRestLaw
+
+Vector = NDArray[np.float64]
+_REAL = 1e-9
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PiecewiseMotion:
+    """`curves` has one polynomial per (segment, joint), in a time that runs from 0 to 1 there.
+
+    `durations` are those of the segments, in s; angles are in rad.
+    """
+
+    curves: tuple[tuple[Polynomial, ...], ...]
+    durations: tuple[float, ...]
+
+    def peaks(self, derivative: int) -> Vector:
+        """Return each joint's greatest |derivative| over the motion, in rad/s^derivative."""
+        return np.array(
+            [
+                [
+                    np.abs(_extremes(curve.deriv(derivative))).max() / duration**derivative
+                    for curve in segment
+                ]
+                for segment, duration in zip(self.curves, self.durations, strict=True)
+            ]
+        ).max(axis=0)
+
+    def reversals(self) -> int:
+        """Return the greatest number of times that one joint turns back."""
+        return max(
+            _sign_changes([value for curve in joint for value in _extremes(curve)])
+            for joint in zip(*self.curves, strict=True)
+        )
+
+
+def _extremes(curve: Polynomial) -> Vector:
+    """Return the values at the ends and at every turning point between, in order of time."""
+    turns = curve.deriv().roots() if curve.degree() > 1 else np.zeros(0)
+    real = turns.real[abs(turns.imag) < _REAL]
+    inside = np.sort(real[(real > 0.0) & (real < 1.0)])
+    return np.asarray(curve(np.concatenate([[0.0], inside, [1.0]])))
+
+
+def _sign_changes(values: Sequence[float]) -> int:
+    steps = np.diff(values)
+    signs = np.sign(steps[abs(steps) > _REAL * (np.ptp(values) or 1.0)])
+    return int(np.count_nonzero(np.diff(signs)))
+
+
+def resting_at(
+    waypoints: Sequence[Sequence[float]], durations: Sequence[float], *, law: RestToRestLaw
+) -> PiecewiseMotion:
+    """Return the motion that rests at every waypoint; waypoints (points, joints) in rad."""
+    points = np.array(waypoints)
+    curves = tuple(
+        tuple(start + (end - start) * law.polynomial for start, end in zip(*ends, strict=True))
+        for ends in zip(points, points[1:], strict=False)
+    )
+    return PiecewiseMotion(curves=curves, durations=tuple(durations))
+
+
+def passing_through(
+    waypoints: Sequence[Sequence[float]], durations: Sequence[float], *, degree: int
+) -> PiecewiseMotion:
+    """Return the motion through the waypoints that rests at the first and the last alone."""
+    points = np.array(waypoints)
+    system, values = _conditions(points, durations, degree)
+    coefficients = np.linalg.solve(system, values).reshape(len(durations), degree + 1, -1)
+    curves = tuple(tuple(Polynomial(joint) for joint in segment.T) for segment in coefficients)
+    return PiecewiseMotion(curves=curves, durations=tuple(durations))
+
+
+def _conditions(
+    points: Vector, durations: Sequence[float], degree: int
+) -> tuple[Vector, Vector]:
+    """Return matrix (n, n) and right-hand sides (n, joints) of n = segments · (degree + 1)."""
+    segments, size = len(durations), degree + 1
+    start, end = _derivatives_at(0, degree), _derivatives_at(1, degree)
+    rows, values = [], []
+
+    def condition(parts: dict[int, Vector], value: Vector) -> None:
+        row = np.zeros((segments, size))
+        for segment, part in parts.items():
+            row[segment] = part
+        rows.append(row.ravel())
+        values.append(value)
+
+    nothing = np.zeros(points.shape[1])
+    for k in range(segments):
+        condition({k: start[0]}, points[k])
+        condition({k: end[0]}, points[k + 1])
+    for k in range(segments - 1):
+        stretch = durations[k] / durations[k + 1]
+        for m in range(1, degree):
+            condition({k: end[m], k + 1: -start[m] * stretch**m}, nothing)
+    for m in range(1, (degree + 1) // 2):
+        condition({0: start[m]}, nothing)
+        condition({segments - 1: end[m]}, nothing)
+    return np.array(rows), np.array(values)
+
+
+def _derivatives_at(time: int, degree: int) -> Vector:
+    """Return the m-th derivative of every power t^i at t = 0 or 1, shape (m, i)."""
+    powers = range(degree + 1)
+    return np.array(
+        [
+            [float(math.perm(i, m)) if i == m or (time and i > m) else 0.0 for i in powers]
+            for m in powers
+        ]
+    )

@@ -1,0 +1,1 @@
+"""Tests of the engine, and the contract that every paper module meets."""

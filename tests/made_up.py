@@ -1,0 +1,34 @@
+"""Pages of the invented paper, made in a moment."""
+
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from repro.model import Paper
+from repro.plan import plan
+from repro.report.pages import write_report
+from repro.session import run_missing
+from repro.store import Store
+from tests.doe2021 import PAPER
+
+ENVIRONMENT: dict[str, object] = {"date": "2021-02-03", "packages": {"numpy": "2"}, "cores": 2}
+
+
+def pages_of(folder: Path, paper: Paper = PAPER, repeats: int = 2) -> dict[str, str]:
+    """Run the paper, write its report below `folder`, and return every file by name."""
+    tasks = plan([paper], repeats)
+    with Store(folder / "store") as store:
+        with ThreadPoolExecutor(2) as executor:
+            run_missing(
+                store,
+                tasks,
+                executor=executor,
+                workers=2,
+                environment=lambda: ENVIRONMENT,
+                report=lambda *_: None,
+            )
+        write_report(store, [paper], tasks, folder / "reports", [paper])
+    return {
+        str(path.relative_to(folder / "reports")): path.read_text(encoding="utf-8")
+        for path in sorted((folder / "reports").rglob("*"))
+        if path.is_file()
+    }

@@ -1,0 +1,134 @@
+"""A made-up paper whose searches are plain Python and take no time."""
+
+from dataclasses import dataclass, replace
+from typing import Any, Unpack
+
+import numpy as np
+from numpy.typing import NDArray
+
+from repro.claims import every_cell
+from repro.evidence import Evidence, Runs
+from repro.model import Experiment, Paper, Source
+from repro.optimisers.search import Budget, Optimiser, Problem, Result
+from repro.published import PublishedTable
+from repro.verdict import Percent
+
+Vector = NDArray[np.float64]
+
+
+def bowl(x: Vector, data: Vector) -> float:
+    """Return the squared distance from the centre."""
+    return float(((x - data) ** 2).sum())
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Bowl:
+    """Minimise the squared distance from a centre."""
+
+    centre: tuple[float, ...] = (0.5, -0.25)
+
+    @property
+    def bounds(self) -> Vector:
+        """The square from -1 to 1."""
+        return np.tile([-1.0, 1.0], (len(self.centre), 1))
+
+    @property
+    def kernel(self) -> Any:  # noqa: ANN401 (as in the protocol)
+        """The cost."""
+        return bowl
+
+    @property
+    def data(self) -> Vector:
+        """The centre."""
+        return np.array(self.centre)
+
+    @property
+    def identity(self) -> tuple[object, ...]:
+        """The centre."""
+        return (self.centre,)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Guessing:
+    """Random search in a box that is `width` times the problem's."""
+
+    width: float = 1.0
+
+    def minimise(self, problem: Problem, **budget: Unpack[Budget]) -> Result:
+        """Return the best of the guesses."""
+        size = (budget["iterations"], budget["population"], len(problem.bounds))
+        guesses = self.width * budget["rng"].uniform(*problem.bounds.T, size=size)
+        costs = np.array([[problem.kernel(x, problem.data) for x in row] for row in guesses])
+        x = guesses.reshape(-1, size[2])[costs.argmin()]
+        history = np.minimum.accumulate(costs.min(axis=1))
+        return Result(x=x, cost=float(costs.min()), history=history, evaluations=costs.size)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Failing:
+    """A search that ends with a cost that is no number, or raises an error where None is given."""
+
+    cost: float | None = None
+
+    def minimise(self, problem: Problem, **budget: Unpack[Budget]) -> Result:  # noqa: ARG002
+        """Raise the error, or return the cost."""
+        if self.cost is None:
+            message = "lost the way"
+            raise ValueError(message)
+        return Result(x=np.zeros(2), cost=self.cost, history=np.zeros(1), evaluations=1)
+
+
+TABLE = PublishedTable.read("""
+    Table 1, p. 3 (3 runs)
+    problem | statistic || guess | wide
+    bowl    | mean      || 0.05  | 0.5
+            | std       || 0.02  | 0.4
+""")
+
+EXPERIMENT = Experiment(
+    name="search",
+    where="p. 3",
+    proposed="guess",
+    problems={"bowl": Bowl()},
+    algorithms={"guess": Guessing(), "wide": Guessing(width=4.0)},
+    population=4,
+    iterations=5,
+    runs=3,
+)
+
+CLAIMS = every_cell(
+    TABLE, of=EXPERIMENT, rows=("problem", "statistic"), columns="algorithm", within=Percent(25)
+)
+
+PAPER = Paper(
+    key="small2020",
+    source=Source(authors="A. Nobody", title="A small paper"),
+    summary="Guessing near by beats guessing far away.",
+    experiments=(EXPERIMENT,),
+    inputs=(),
+    results=(TABLE,),
+    claims=CLAIMS,
+    assumptions=(),
+    errata=(),
+    gaps=(),
+)
+
+
+def searching(**algorithms: Optimiser) -> Paper:
+    """Return a paper without claims that runs these algorithms."""
+    experiment = replace(EXPERIMENT, algorithms=algorithms)
+    return replace(PAPER, experiments=(experiment,), results=(), claims=())
+
+
+def evidence(paper: Paper = PAPER, **costs: list[list[float]]) -> Evidence:
+    """Return evidence with these costs, shape (repeats, runs), by algorithm; the points are 0."""
+    runs = {}
+    for algorithm, values in costs.items():
+        cell = np.array(values)
+        runs["search", "bowl", algorithm] = Runs(
+            costs=cell,
+            points=np.zeros((*cell.shape, 2)),
+            histories=cell[..., None] * np.arange(5.0, 0.0, -1.0),
+            evaluations=20,
+        )
+    return Evidence(paper, runs)

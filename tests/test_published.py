@@ -1,0 +1,205 @@
+import math
+from decimal import Decimal
+from fractions import Fraction
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from repro.errors import DeclarationError
+from repro.published import UNITS, Printed, PublishedTable
+
+TIMES = """
+    Table VI, p. 9 (50 runs)
+    Method | t1 [s] | t2 [s]
+    WOA    | 3.26   | 2.48
+    IWOA   | 2.76   | 1.93
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "value", "rounding"),
+    [
+        ("4.69", 4.69, 0.005),
+        ("0", 0.0, 0.5),
+        ("100", 100.0, 0.5),
+        ("+2.50", 2.5, 0.005),
+        ("1.474×10", 14.74, 0.005),
+        ("2.721×10^1", 27.21, 0.005),
+        ("7.91×10^-74", 7.91e-74, 0.005e-74),
+        ("7.91×10^−74", 7.91e-74, 0.005e-74),
+        ("0.00×10^0", 0.0, 0.005),
+        ("3 x 10^2", 300.0, 50.0),
+        ("4.65E-05", 4.65e-5, 0.005e-5),
+        ("1.2e+3", 1200.0, 50.0),
+        ("1.2E-3 ", 1.2e-3, 0.05e-3),
+        ("−1.2", -1.2, 0.05),
+        ("π", math.pi, 0.0),
+        ("-π/2", -math.pi / 2, 0.0),
+        ("−3π/4", -3 * math.pi / 4, 0.0),
+    ],
+)
+def test_printed_text_gives_value_and_half_of_its_last_digit(
+    text: str, value: float, rounding: float
+) -> None:
+    printed = Printed(text)
+
+    assert printed.value == pytest.approx(value, rel=1e-15)
+    assert printed.rounding == pytest.approx(rounding, rel=1e-15)
+
+
+@given(
+    st.floats(allow_nan=False, allow_infinity=False, min_value=-1e300, max_value=1e300),
+    st.integers(0, 15),
+    st.sampled_from(["e", "E", "×10^", " x 10^"]),
+)
+def test_number_that_was_printed_lies_within_the_rounding(
+    number: float, decimals: int, times: str
+) -> None:
+    text = f"{number:.{decimals}e}"
+    mantissa, _, power = text.partition("e")
+
+    printed = Printed(f"{mantissa}{times}{power}")
+
+    assert printed.value == float(text)
+    distance = abs(Fraction(number) - Fraction(Decimal(text)))
+    assert distance <= Fraction(10) ** (int(power) - decimals) / 2
+    # smaller roundings than the smallest double are printed by nobody
+    if abs(number) > 1e-290:
+        assert printed.rounding == pytest.approx(float(f"5e{int(power) - decimals - 1}"))
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["3,26", "", "N/A", "nan", "inf", "1.2.3", "1e", "--1", "1 2", "10^", "π/0", "1.5π", "0.5 s"],
+)
+def test_text_that_is_no_number_is_refused(text: str) -> None:
+    with pytest.raises(DeclarationError, match="is not a number"):
+        Printed(text)
+
+
+def test_fault_in_a_cell_is_named_with_table_and_row() -> None:
+    with pytest.raises(DeclarationError, match=r"^Table VI, row 'WOA': '3,26' is not a number$"):
+        PublishedTable.read(TIMES.replace("3.26", "3,26"))
+
+
+def test_unknown_unit_is_named_with_the_known_ones() -> None:
+    with pytest.raises(DeclarationError, match=r"Table VI, heading 't1 \[min\]'.*'min'") as error:
+        PublishedTable.read(TIMES.replace("t1 [s]", "t1 [min]"))
+
+    assert all(unit in str(error.value) for unit in UNITS)
+
+
+def test_unknown_unit_of_a_single_number_is_named_with_the_known_ones() -> None:
+    with pytest.raises(DeclarationError, match=r"3: unknown unit 'furlong'; known: .*rad/s\^2"):
+        Printed("3", "furlong")
+
+
+@pytest.mark.parametrize(("line", "cells"), [("IWOA | 2.76", 1), ("IWOA | 2 | 3 | 4", 3)])
+def test_ragged_row_is_named_with_both_counts(line: str, cells: int) -> None:
+    wrong = rf"^Table VI, row 'IWOA': 1 \+ {cells} cells, but the heading has 1 \+ 2$"
+    with pytest.raises(DeclarationError, match=wrong):
+        PublishedTable.read(TIMES.replace("IWOA   | 2.76   | 1.93", line))
+
+
+def test_repeated_row_is_refused() -> None:
+    with pytest.raises(DeclarationError, match="Table VI: 'WOA' stands there twice"):
+        PublishedTable.read(TIMES.replace("IWOA", "WOA "))
+
+
+def test_repeated_column_is_refused() -> None:
+    with pytest.raises(DeclarationError, match="Table VI: 't1' stands there twice"):
+        PublishedTable.read(TIMES.replace("t2", "t1"))
+
+
+@pytest.mark.parametrize(
+    ("page", "fault"),
+    [
+        ("", "is no table"),
+        ("Table 1, p. 2\nrow | value", "is no table"),
+        ("Table 1, p. 2\nrow, value\na | 1", "no '|' in the line 'row, value'"),
+        ("Table 1, p. 2\nrow | value\na 1", "no '|' in the line 'a 1'"),
+        ("Table 1, p. 2\nrow | [s]\na | 1", "heading '[s]' is not"),
+        ("Table 1, p. 2\nrow | value\n | 1", "a blank heading has none above it"),
+    ],
+)
+def test_page_that_is_no_table_is_refused(page: str, fault: str) -> None:
+    with pytest.raises(DeclarationError) as error:
+        PublishedTable.read(page)
+
+    assert fault in str(error.value)
+
+
+def test_blank_row_heading_repeats_the_one_above() -> None:
+    table = PublishedTable.read("""
+        Table II, section III-D
+        No. | Index || IWOA
+        F1  | Best  || 0
+            | Worst || 1.5
+        F5  | Best  || 2
+    """)
+
+    assert table.headings == ("No.", "Index")
+    assert table.row_names == ("F1 Best", "F1 Worst", "F5 Best")
+
+
+def test_label_is_what_stands_before_the_comma_of_the_place() -> None:
+    table = PublishedTable.read(TIMES)
+
+    assert (table.label, table.where) == ("Table VI", "Table VI, p. 9 (50 runs)")
+
+
+def test_cells_are_found_by_row_and_column_and_keep_their_text() -> None:
+    cell = PublishedTable.read(TIMES)["IWOA", "t2"]
+
+    assert cell == Printed("1.93", "s")
+
+
+def test_unknown_place_is_named_with_the_known_ones() -> None:
+    table = PublishedTable.read(TIMES)
+
+    with pytest.raises(DeclarationError, match="Table VI has no row 'PSO'; it has 'WOA', 'IWOA'"):
+        table["PSO", "t1"]
+    with pytest.raises(DeclarationError, match="Table VI has no column 't3'; it has 't1', 't2'"):
+        table["WOA", "t3"]
+
+
+def test_columns_and_points_are_in_si_units() -> None:
+    table = PublishedTable.read("""
+        Table 5, p. 12
+        joint | d [mm] | range [deg] | peak [deg/s^3] | share [%]
+        1     | 490    | 180         | -90            | 50
+        2     | -1     | 0           | 360            | 100
+    """)
+
+    assert table.column("d") == pytest.approx((0.49, -0.001))
+    assert table.column("range") == pytest.approx((math.pi, 0))
+    assert table.points()[0] == pytest.approx((0.49, math.pi, -math.pi / 2, 50))
+
+
+def test_words_are_no_numbers() -> None:
+    table = PublishedTable.read("""
+        Table III, p. 5
+        joint | angle [text] | d [mm]
+        1     | θ1           | 490
+    """)
+
+    assert list(table.places()) == [("1", "d")]
+    with pytest.raises(DeclarationError, match="column 'angle': 'θ1' is not a number"):
+        table["1", "angle"]
+
+
+NUMBERS = st.decimals(allow_nan=False, allow_infinity=False, places=3).map(str)
+
+
+@given(st.integers(1, 4).flatmap(lambda n: st.lists(st.lists(NUMBERS, min_size=n, max_size=n))))
+def test_what_is_drawn_is_read_cell_by_cell(rows: list[list[str]]) -> None:
+    rows = [*rows, rows[0] if rows else ["1"]]
+    headings = [f"c{j} [s]" for j in range(len(rows[0]))]
+    lines = [" | ".join([f"r{i}", *row]) for i, row in enumerate(rows)]
+
+    table = PublishedTable.read("\n".join(["Table 1", " | ".join(["", *headings]), *lines]))
+
+    read = [table[place].text for place in table.places()]
+    assert read == [text for row in rows for text in row]
+    assert [list(row) for row in table.points()] == [[float(text) for text in r] for r in rows]

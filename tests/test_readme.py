@@ -1,0 +1,44 @@
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from repro.__main__ import _parser
+from repro.errors import InputError
+from repro.report.readme import BEGIN, END, with_verdicts
+
+ROOT = Path(__file__).parent.parent
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+
+
+def test_the_readme_shows_the_generated_table_of_verdicts() -> None:
+    table = (ROOT / "reports" / "verdicts.md").read_text(encoding="utf-8")
+    assert with_verdicts(README, table) == README
+
+
+def test_a_readme_without_the_marks_is_refused() -> None:
+    with pytest.raises(InputError, match="lacks the line"):
+        with_verdicts("# a project", "| table |")
+
+
+def test_the_text_around_the_table_is_kept() -> None:
+    assert with_verdicts(f"a\n{BEGIN}\nold\n{END}\nb", "new") == f"a\n{BEGIN}\nnew\n{END}\nb"
+
+
+def test_every_python_example_of_the_readme_runs() -> None:
+    examples = re.findall(r"```python\n(.*?)```", README, flags=re.DOTALL)
+    assert examples
+    for example in examples:
+        subprocess.run([sys.executable, "-c", example], check=True, cwd=ROOT, capture_output=True)
+
+
+def test_every_command_of_the_readme_is_known() -> None:
+    for line in re.findall(r"^    repro (\w+)", README, flags=re.MULTILINE):
+        assert _parser().parse_args([line]).command
+
+
+def test_every_file_that_the_readme_links_to_exists() -> None:
+    for link in re.findall(r"\]\(([^)#:]+)\)", README):
+        assert (ROOT / link).exists(), link

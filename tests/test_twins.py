@@ -1,0 +1,124 @@
+from collections.abc import Callable
+from dataclasses import asdict, replace
+
+import numpy as np
+import pytest
+
+from repro.draws import normal, state_from, uniform
+from repro.optimisers import DBO, DE, GA, GSA, GWO, PSO, SMA, WOA, HybridWOA
+from tests.additions import ADDITIONS, TOGETHER
+from tests.small_problems import Small, small
+from tests.twins.differential_evolution import differential_evolution
+from tests.twins.dung_beetle import dung_beetle
+from tests.twins.genetic import genetic
+from tests.twins.gravitational import gravitational
+from tests.twins.grey_wolf import grey_wolf
+from tests.twins.hybrid_whale import hybrid_whale
+from tests.twins.particle_swarm import particle_swarm
+from tests.twins.slime_mould import slime_mould
+from tests.twins.whale import whale
+
+AnyOptimiser = DBO | DE | GA | GSA | GWO | HybridWOA | PSO | SMA | WOA
+Outcome = tuple[list[float], float, list[float], int]
+
+TWINS: dict[type[AnyOptimiser], Callable[..., Outcome]] = {
+    DBO: dung_beetle,
+    DE: differential_evolution,
+    GA: genetic,
+    GSA: gravitational,
+    GWO: grey_wolf,
+    HybridWOA: hybrid_whale,
+    PSO: particle_swarm,
+    SMA: slime_mould,
+    WOA: whale,
+}
+
+SWITCHED: tuple[AnyOptimiser, ...] = (
+    *ADDITIONS,
+    TOGETHER,
+    replace(TOGETHER, greedy=True, coefficients="scalar"),
+    replace(TOGETHER, leader="per dimension", probability_selects="encircling"),
+    HybridWOA(differential=0.4, scale=0.9, crossover=0.3, greedy=False),
+    HybridWOA(genetic=0.3, mutation=0.2, greedy=False),
+    WOA(b=0.5),
+    PSO(clip="every particle"),
+    PSO(maximum_velocity=0.5, inertia=(0.7, 0.4), cognitive=1.5, social=1.2),
+    DBO(groups="proportional"),
+    DBO(producers=0.5, deflection=0.3, pull=0.7, natural=0.5, obstacle=0.6, size=0.9),
+    SMA(restart=0.5),
+    SMA(restart=0.0),
+    GSA(bounds="clip"),
+    GSA(strength=10.0, decay=5.0, final_percent=40.0),
+    DE(scale=(0.5, 0.5), crossover=0.9),
+    GA(crossover=0.3, mutation=0.5, elites=0),
+    GA(elites=5),
+)
+
+
+def assert_same(
+    optimiser: AnyOptimiser, problem: Small, *, population: int, **twin_fields: object
+) -> None:
+    """Run the optimiser and its twin from one seed and compare every bit and every count."""
+    iterations = 12
+    result = optimiser.minimise(
+        problem, population=population, iterations=iterations, rng=np.random.default_rng(7)
+    )
+    state = state_from(np.random.default_rng(7))
+    calls: list[None] = []
+
+    def counted(x: list[float]) -> float:
+        calls.append(None)
+        return problem.cost(x)
+
+    x, cost, history, evaluations = TWINS[type(optimiser)](
+        counted,
+        problem.box,
+        population,
+        iterations,
+        lambda: float(uniform(state)),
+        lambda: float(normal(state)),
+        **twin_fields,
+    )
+    assert result.x.tolist() == x
+    assert result.cost == cost
+    assert result.history.tolist() == history
+    assert result.evaluations == evaluations == len(calls)
+
+
+@pytest.mark.parametrize("name", ["rosenbrock", "steps", "slope"])
+@pytest.mark.parametrize("kind", TWINS, ids=lambda kind: kind.__name__)
+def test_compiled_search_is_its_twin_with_the_default_parameters(
+    kind: type[AnyOptimiser], name: str
+) -> None:
+    assert_same(kind(), small(name), population=21)
+
+
+@pytest.mark.parametrize("name", ["rosenbrock", "steps"])
+@pytest.mark.parametrize("optimiser", SWITCHED, ids=repr)
+def test_compiled_search_is_its_twin_with_every_switch(optimiser: AnyOptimiser, name: str) -> None:
+    assert_same(optimiser, small(name), population=23, **asdict(optimiser))
+
+
+@pytest.mark.parametrize("population", [20, 45, 62, 63, 100])
+def test_dung_beetles_are_their_twin_at_any_population(population: int) -> None:
+    assert_same(DBO(), small("rosenbrock"), population=population)
+
+
+@pytest.mark.parametrize(
+    ("optimiser", "least"),
+    [(WOA(), 1), (GWO(), 1), (PSO(), 1), (SMA(), 1), (GSA(), 1), (DE(), 4), (HybridWOA(), 4)],
+    ids=repr,
+)
+def test_compiled_search_is_its_twin_with_the_fewest_agents(
+    optimiser: AnyOptimiser, least: int
+) -> None:
+    assert_same(optimiser, small("rosenbrock"), population=least)
+
+
+@pytest.mark.parametrize("spread", [0.6, 0.75, 1.0, 1.5, 2.0])
+def test_slime_mould_stays_real_where_costs_lie_within_eps(spread: float) -> None:
+    # SMA.m has a logarithm of 0 or less, or a division by zero, up to a spread of eps
+    gap = spread * 2.0**-52
+    problem = small("cliff", box=((-1.0, 1.0), (-1.0, 1.0)), data=(gap, 0.0))
+
+    assert_same(SMA(), problem, population=20)

@@ -1,0 +1,67 @@
+import pytest
+
+from repro.published import Printed
+from repro.report.words import (
+    anchor,
+    difference,
+    digits_for,
+    interval,
+    number,
+    raised,
+    verdict_words,
+)
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (None, "–"),
+        (0.0, "0"),
+        (5.0, "5"),
+        (2.33951, "2.340"),
+        (1e-5, "1.000×10^-5"),
+        (2e9, "2.000×10^9"),
+    ],
+)
+def test_numbers_have_four_digits_and_written_powers(value: float | None, text: str) -> None:
+    assert number(value) == text
+
+
+def test_a_reproduced_number_shows_one_digit_more_than_the_printed_one() -> None:
+    assert digits_for(Printed("2.344")) == 5
+    assert digits_for(Printed("0.1")) == 4
+    assert digits_for(Printed("7.294×10^-287")) == 5
+
+
+def test_an_interval_of_equal_digits_is_one_number() -> None:
+    assert interval((1.00001, 1.00002)) == "1.000"
+    assert interval((1.0, 2.0)) == "1 … 2"
+    assert interval(None) == "–"
+
+
+@pytest.mark.parametrize(
+    ("printed", "value", "text"),
+    [
+        ("4.69", 4.694, "as printed"),
+        ("4.69", 4.478, "−4.5 %"),
+        ("2.5", 10.0, "×4.00"),
+        ("1.0×10^-3", 1.0, "+3.0 decades"),
+        ("0", 0.0, "as printed"),
+        ("0", 1e-5, "+1.000×10^-5"),
+        ("1", -1.0, "−2"),
+    ],
+)
+def test_differences_are_in_percent_or_decades(printed: str, value: float, text: str) -> None:
+    assert difference(Printed(printed), value) == text
+
+
+def test_a_verdict_names_the_side() -> None:
+    assert verdict_words("contradicted", "lower") == "✖ contradicted (lower)"
+
+
+def test_an_anchor_has_letters_digits_and_hyphens_only() -> None:
+    assert anchor("Table II", "F1 Best", None, "IWOA") == "table-ii-f1-best-iwoa"
+
+
+def test_powers_are_raised_and_markup_is_not_let_through() -> None:
+    assert raised("<b> 2×10^-5") == "&lt;b&gt; 2×10<sup>−5</sup>"

@@ -1,0 +1,1 @@
+"""Second implementations of optimisers and functions in plain Python, one draw at a time."""
