@@ -24,15 +24,15 @@ ASSUMPTIONS = (
         where="Tables III and IV",
         chosen="millimetres and metres",
         alternatives=(),
-        because="none is printed; with these the tool lies within 7 mm of every printed waypoint",
+        because="none is printed; with these the tool comes near every printed waypoint",
     ),
     Assumption(
         what="Denavit-Hartenberg convention",
         where="Table III, Eqs. (20)-(21)",
         chosen="standard",
         alternatives=("modified, as the headings a_{i-1}, α_{i-1} and Eq. (20) say",),
-        because="the standard one meets Table IV within 5 to 6 mm; the modified one misses it by "
-        "0.5 to 4.6 m",
+        because="the standard one comes near the waypoints of Table IV, the modified one does not: "
+        "the audit gives both distances in mm",
     ),
     Assumption(
         what="WOA, GWO, PSO and DBO: programs and parameters",

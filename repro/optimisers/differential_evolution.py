@@ -31,8 +31,9 @@ def _de(cost, data, bounds, population, iterations, parameters, state):
     costs = np.empty(population)
     for i in range(population):
         costs[i] = cost(X[i], data)
-    best = X[np.argmin(costs)].copy()
-    best_cost = costs.min()
+    first = np.argmin(costs)
+    best = X[first].copy()
+    best_cost = costs[first]
     y = np.empty_like(best)
     history = np.empty(iterations)
     for t in range(iterations):

@@ -38,8 +38,9 @@ def _dbo(cost, data, bounds, population, iterations, parameters, state):
     P = X.copy()  # personal bests
     P_costs = costs.copy()
     P_before = X.copy()
-    best = P[np.argmin(costs)].copy()
-    best_cost = costs.min()
+    first = np.argmin(costs)
+    best = P[first].copy()
+    best_cost = costs[first]
     history = np.empty(iterations)
     for t in range(1, iterations + 1):
         _roll_or_dance(X, P, P_before, X[np.argmax(costs)].copy(), rollers, parameters, state)
@@ -52,8 +53,8 @@ def _dbo(cost, data, bounds, population, iterations, parameters, state):
         _evaluate(cost, data, bounds, X, costs, broods, foragers)
         _steal(X, P, local, best, foragers, parameters[7], state)
         _evaluate(cost, data, bounds, X, costs, foragers, population)
-        P_before[:] = P
         for i in range(population):
+            copy_into(P_before[i], P[i])
             if costs[i] < P_costs[i]:
                 P_costs[i] = costs[i]
                 copy_into(P[i], X[i])

@@ -34,14 +34,16 @@ def _ga(cost, data, bounds, population, iterations, parameters, state):
     costs = np.empty(population)
     for i in range(population):
         costs[i] = cost(X[i], data)
-    best = X[np.argmin(costs)].copy()
-    best_cost = costs.min()
+    first = np.argmin(costs)
+    best = X[first].copy()
+    best_cost = costs[first]
     history = np.empty(iterations)
     for t in range(iterations):
         order = np.argsort(costs, kind="mergesort")
         parents = X[order]
         costs = costs[order]
-        X[:elites] = parents[:elites]
+        for i in range(elites):
+            copy_into(X[i], parents[i])
         for i in range(elites, population):
             _breed(X[i], parents, slot_ends, crossover, state)
             _mutate(X[i], bounds, mutation, state)
