@@ -15,7 +15,14 @@ nox.options.reuse_venv = "yes"
 
 # one thread per run: the engine itself spreads runs over the cores
 ONE_THREAD = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
-LOCKS = {"run": [], "test": ["test"], "lint": ["lint"], "types": ["types"], "cluster": ["cluster"]}
+LOCKS = {
+    "run": [],
+    "test": ["test"],
+    "lint": ["lint"],
+    "types": ["types"],
+    "cluster": ["cluster"],
+    "references": ["references", "test"],
+}
 
 
 def _install(session: nox.Session, lock: str) -> None:
@@ -58,6 +65,14 @@ def fuzz(session: nox.Session) -> None:
     _install(session, "test")
     environment = {**ONE_THREAD, "HYPOTHESIS_PROFILE": "fuzz"}
     session.run("pytest", "-m", "not browser and not full_size", *session.posargs, env=environment)
+
+
+@nox.session
+def references(session: nox.Session) -> None:
+    """Compare the certificates with two other planners, and test that they agree."""
+    _install(session, "references")
+    session.run("repro", "references", *session.posargs)
+    session.run("pytest", "tests/test_references.py", env=ONE_THREAD)
 
 
 @nox.session

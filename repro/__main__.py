@@ -54,7 +54,8 @@ def _parser() -> argparse.ArgumentParser:
         command.add_argument("--reports", type=Path, default=Path("reports"), metavar="DIR")
     audit = _command(commands, _audit, "audit", "what the printed tables say about themselves")
     certificates = _command(commands, _certify, "certify", "proved minima of the motion problems")
-    for command in (listing, audit, certificates):
+    references = _command(commands, _references, "references", "what other planners say of them")
+    for command in (listing, audit, certificates, references):
         command.add_argument("--json", action="store_true", help="print JSON")
     return parser
 
@@ -162,7 +163,19 @@ def _certify(options: argparse.Namespace) -> int:
     lines = [
         f"{row.paper}, {row.problem}: "
         + ("no minimum" if row.minimum is None else f"minimum {row.minimum:.6g} s")
-        + f"; {'; '.join(row.binding) or row.explanation}"
+        + f"; {row.explanation or '; '.join(row.binding)}"
+        for row in rows
+    ]
+    return _say(rows, lines, as_json=options.json)
+
+
+def _references(options: argparse.Namespace) -> int:
+    from repro.references import outside_references  # noqa: PLC0415 (slow imports late)
+
+    rows = outside_references(_chosen(options.keys))
+    lines = [
+        f"{row.paper}, {row.problem}, {row.planner}: "
+        + (f"skipped, {row.skipped}" if row.time is None else f"{row.time:.6g} s, {row.what}")
         for row in rows
     ]
     return _say(rows, lines, as_json=options.json)

@@ -6,9 +6,9 @@ import numpy as np
 
 from repro.claims import CellClaim, Claim
 from repro.measures import Statistic
-from repro.model import Paper
+from repro.model import Experiment, Paper
 from repro.published import UNITS
-from repro.robotics import MinimumTime
+from repro.robotics import MinimumTime, PathFitting
 from repro.robotics.fastest import fastest_joints
 from repro.robotics.fixed_penalties import Cheapest, cheapest, unbounded
 from repro.robotics.rest_to_rest import DERIVATIVES
@@ -46,7 +46,10 @@ class Certificate:
 
 
 def certify(paper: Paper) -> tuple[Certificate, ...]:
-    """Return one certificate per trajectory problem of the paper, and one per other reading."""
+    """Return one certificate per trajectory problem of the paper, and one per other reading.
+
+    The path fits of an experiment, which minimise no time, share one that only explains.
+    """
     as_run = [
         ((experiment.name, name), f"{experiment.name}/{name}", problem)
         for experiment in paper.experiments
@@ -56,10 +59,37 @@ def certify(paper: Paper) -> tuple[Certificate, ...]:
         (reading.of, f"{'/'.join(reading.of)}, {reading.name}", reading.problem)
         for reading in paper.readings
     ]
-    return tuple(
+    motions = tuple(
         _certificate(paper, of, label, problem)
         for of, label, problem in (*as_run, *as_read)
         if isinstance(problem, MinimumTime)
+    )
+    return motions + tuple(
+        _path_fits(paper.key, experiment, fits)
+        for experiment in paper.experiments
+        if (fits := [p for p in experiment.problems.values() if isinstance(p, PathFitting)])
+    )
+
+
+def _path_fits(paper: str, experiment: Experiment, fits: list[PathFitting]) -> Certificate:
+    least = [fit.least_cost() for fit in fits]
+    inside = sum(fit.allows(fit.nearest()) for fit in fits)
+    found = " to ".join(sorted({f"{value:.4g}" for value in (min(least), max(least))}))
+    return Certificate(
+        paper=paper,
+        problem=experiment.name,
+        minimum=None,
+        lower_bound=None,
+        attained=None,
+        method="linear least squares: the norm is convex, and least where its gradient vanishes",
+        at=(),
+        binding=(),
+        printed=(),
+        explanation=(
+            f"Not a time but a norm in rad, of {len(fits)} fits by {len(fits[0].box)} coefficients "
+            f"each. It is convex, so there is no local minimum but the global one: {found} rad, at "
+            f"coefficients inside the bounds of the search in {inside} of {len(fits)}."
+        ),
     )
 
 
@@ -100,7 +130,8 @@ def _better_off_breaking(
             f"The fitness as printed has its least value, {least.cost:.4g} s, where limits are "
             f"broken ({broken}): with {each} s the motion takes {least.time:.4g} s, and breaking "
             f"costs {least.cost - least.time:.4g} s. Obeying costs {obeying:.4g} s with this law "
-            f"and at least {bound:.4g} s with any curve between rest and rest (joint {slowest}). "
+            f"and at least {bound:.4g} s with any curve between rest and rest, even with jerk, "
+            f"acceleration and velocity in turn at their limits (joint {slowest}). "
             f"The shorter the durations allowed, the lower: the fitness tends to "
             f"{limit.cost:.4g} s for a motion of {limit.time:.4g} s."
         ),

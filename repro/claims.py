@@ -42,7 +42,11 @@ class CellClaim:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Sentence:
-    """One statement of the text, in our words; `measure` is None where a Gap says why."""
+    """One statement of the text, in our words; `measure` is None where a Gap says why.
+
+    A statement that is made `in_words` prints no number: `printed` then holds the unit and the
+    number that its declared reading comes closest to, and the pages do not show it as printed.
+    """
 
     claim: str
     where: str
@@ -50,6 +54,7 @@ class Sentence:
     measure: Measure | None
     accepted: Tolerance
     gap: Gap | None = None
+    in_words: bool = False
 
     def __post_init__(self) -> None:
         """Raise DeclarationError unless there is either a measure or a gap."""
@@ -148,6 +153,7 @@ def lowest_everywhere(
                 among=tuple(of.algorithms),
             ),
             accepted=Between(1, 1),
+            in_words=True,
         )
         for problem in of.problems
     )

@@ -19,7 +19,9 @@ _LOCK = threading.Lock()
 
 
 def _digest() -> str:
-    sources = [_PACKAGE / "draws.py", *sorted(_PACKAGE.glob("*/*.py"))]
+    rooms = ("functions", "optimisers", "robotics")
+    sources = [_PACKAGE / "compiled.py", _PACKAGE / "draws.py"]
+    sources += [path for room in rooms for path in sorted((_PACKAGE / room).glob("*.py"))]
     text = b"".join(path.read_bytes() for path in sources)
     return hashlib.sha256(text).hexdigest()[:16]
 

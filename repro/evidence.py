@@ -27,6 +27,15 @@ class Runs:
     histories: Vector
     evaluations: int
 
+    def repeats(self, which: slice) -> "Runs":
+        """Return some of the repeats."""
+        return Runs(
+            costs=self.costs[which],
+            points=self.points[which],
+            histories=self.histories[which],
+            evaluations=self.evaluations,
+        )
+
 
 @dataclass(frozen=True, slots=True)
 class Evidence:
@@ -38,6 +47,14 @@ class Evidence:
     def experiment(self, name: str) -> Experiment:
         """Return the experiment of that name."""
         return next(e for e in self.paper.experiments if e.name == name)
+
+    def halves(self, cells: tuple[Cell, ...]) -> tuple["Evidence", "Evidence"]:
+        """Return the odd and the even repeats of some cells; each needs two repeats or more."""
+        odd, even = (
+            Evidence(self.paper, {cell: self.runs[cell].repeats(which) for cell in cells})
+            for which in (slice(0, None, 2), slice(1, None, 2))
+        )
+        return odd, even
 
     def values(self, cell: Cell, quantity: str = "cost") -> Vector:
         """Return a quantity of every run, shape (repeats, runs).

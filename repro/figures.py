@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from repro.robotics import Convention, MinimumTime
+from repro.robotics import Convention, MinimumTime, PathFitting
 from repro.robotics.kinematics import DHRow
 
 
@@ -42,4 +42,19 @@ class ToolPath:
     printed_waypoints: tuple[tuple[float, ...], ...]
 
 
-Figure = Convergence | Motion | ToolPath
+@dataclass(frozen=True, slots=True, kw_only=True)
+class JointCurves:
+    """Angle, velocity and acceleration of every joint over time, along polynomial paths.
+
+    `paths` holds one fit per joint, whose desired paths are drawn; before them what each of the
+    `algorithms` found in `experiment`, which has these fits among its problems.
+    """
+
+    label: str
+    caption: str
+    paths: tuple[PathFitting, ...]
+    experiment: str = ""
+    algorithms: tuple[str, ...] = ()
+
+
+Figure = Convergence | JointCurves | Motion | ToolPath

@@ -1,17 +1,18 @@
 """From evidence to findings: every printed number and claim with interval, band and verdict."""
 
-import math
 from dataclasses import dataclass
 
 from repro.claims import CellClaim, Claim
 from repro.evidence import Evidence
-from repro.measures import Measured
+from repro.measures import Measure, Measured
 from repro.published import UNITS
 from repro.statistics.tables import quantile_interval
 from repro.verdict import Interval, Verdict, judge
 
 LEVEL = 0.95
 PROVISIONAL = "provisional: one repeat only"
+IN_WORDS = "in words"
+FLIPS = "the odd and the even repeats come to opposite verdicts"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -52,21 +53,46 @@ def _finding(claim: Claim, evidence: Evidence) -> Finding:
         names = ", ".join("/".join(cell) for cell in absent)
         return _named(claim, accepted, Verdict.NOT_RUN, note=f"no whole repeat of {names}")
     measured = claim.measure.measure(evidence)
-    factor = UNITS[claim.printed.unit]
-    low, high = quantile_interval(measured.draws, LEVEL)
-    interval = (low / factor, high / factor)
+    interval = _interval(claim, measured)
     verdict, side = judge(interval, accepted)
+    note = PROVISIONAL if measured.repeats == 1 else ""
+    if _flips(claim.measure, claim, evidence):
+        verdict, side, note = Verdict.UNDECIDED, None, FLIPS
     return _named(
         claim,
         accepted,
         verdict,
         measured=interval,
-        value=measured.value / factor,
+        value=measured.value / UNITS[claim.printed.unit],
         side=side,
-        note=PROVISIONAL if measured.repeats == 1 else "",
-        quantile=_quantile(claim, measured) if measured.repeats else None,
+        note=note,
+        quantile=_quantile(claim, measured) if measured.repeats and not _in_words(claim) else None,
         repeats=measured.repeats,
     )
+
+
+def _in_words(claim: Claim) -> bool:
+    return not isinstance(claim, CellClaim) and claim.in_words
+
+
+def _interval(claim: Claim, measured: Measured) -> Interval:
+    """Return the central interval of the draws, in the printed unit."""
+    low, high = quantile_interval(measured.draws, LEVEL)
+    factor = UNITS[claim.printed.unit]
+    return low / factor, high / factor
+
+
+def _flips(measure: Measure, claim: Claim, evidence: Evidence) -> bool:
+    """Return whether the odd and the even repeats, judged alone, come to opposite verdicts."""
+    cells = measure.cells()
+    if not cells or any(len(evidence.runs[cell].costs) < 2 for cell in cells):
+        return False
+    accepted = claim.accepted.band(claim.printed)
+    verdicts = {
+        judge(_interval(claim, measure.measure(half)), accepted) for half in evidence.halves(cells)
+    }
+    decided = {pair for pair in verdicts if pair[0] is not Verdict.UNDECIDED}
+    return len(decided) > 1
 
 
 def _quantile(claim: Claim, measured: Measured) -> float:
@@ -94,7 +120,7 @@ def _named(
         column=claim.column if isinstance(claim, CellClaim) else None,
         claim=None if isinstance(claim, CellClaim) else claim.claim,
         where=claim.where,
-        printed=claim.printed.text,
+        printed=IN_WORDS if _in_words(claim) else claim.printed.text,
         unit=claim.printed.unit,
         measured=measured,
         value=value,
@@ -107,12 +133,3 @@ def _named(
         measure=claim.measure.words if claim.measure else "",
         tolerance=claim.accepted.words,
     )
-
-
-def shown(value: float | None) -> str:
-    """Return a number with four significant digits, as the pages show it."""
-    if value is None:
-        return "–"
-    if value == 0 or (math.isfinite(value) and 1e-3 <= abs(value) < 1e5):
-        return f"{value:.4g}"
-    return f"{value:.3e}"

@@ -21,7 +21,7 @@ SCHEMA = 1
 APPLICATION = 0x52455052  # "REPR"
 _FLOAT = np.dtype("<f8")
 # what SQLite says where the place is at fault and not the file
-_UNUSABLE = ("SQLITE_CANTOPEN", "SQLITE_CANTOPEN_ISDIR", "SQLITE_FULL", "SQLITE_READONLY")
+_UNUSABLE = ("SQLITE_CANTOPEN", "SQLITE_FULL", "SQLITE_IOERR", "SQLITE_READONLY")
 _TABLES = """
 create table env(id integer primary key, json text unique not null);
 create table run(
@@ -253,6 +253,6 @@ def _refusing(path: Path) -> Iterator[None]:
     try:
         yield
     except sqlite3.Error as error:
-        usable = getattr(error, "sqlite_errorname", "") not in _UNUSABLE
+        unusable = getattr(error, "sqlite_errorname", "").startswith(_UNUSABLE)
         message = f"{path} cannot be used as a store: {error}"
-        raise (StoreError if usable else InputError)(message) from None
+        raise (InputError if unusable else StoreError)(message) from None

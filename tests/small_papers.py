@@ -57,7 +57,8 @@ class Guessing:
     def minimise(self, problem: Problem, **budget: Unpack[Budget]) -> Result:
         """Return the best of the guesses."""
         size = (budget["iterations"], budget["population"], len(problem.bounds))
-        guesses = self.width * budget["rng"].uniform(*problem.bounds.T, size=size)
+        low, high = problem.bounds.T
+        guesses = self.width * budget["rng"].uniform(low, high, size=size)
         costs = np.array([[problem.kernel(x, problem.data) for x in row] for row in guesses])
         x = guesses.reshape(-1, size[2])[costs.argmin()]
         history = np.minimum.accumulate(costs.min(axis=1))
@@ -132,3 +133,21 @@ def evidence(paper: Paper = PAPER, **costs: list[list[float]]) -> Evidence:
             evaluations=20,
         )
     return Evidence(paper, runs)
+
+
+MODULE = """
+import time
+from dataclasses import dataclass, replace
+from repro.optimisers.search import Result
+from tests.small_papers import EXPERIMENT, PAPER as SMALL, Guessing
+
+@dataclass(frozen=True)
+class Slow(Guessing):
+    def minimise(self, problem, **budget):
+        time.sleep(0.05)
+        return super(Slow, self).minimise(problem, **budget)
+
+SEARCH = replace(EXPERIMENT, algorithms={"guess": Slow(), "wide": Guessing(width=4.0)}, runs=30)
+PAPER = replace(SMALL, key="slow2021", experiments=(SEARCH,))
+"""
+"""The text of a paper module, of 60 runs, half of them slow."""

@@ -75,7 +75,7 @@ def test_drawing_twice_gives_the_same_bytes(figure: Figure, evidence: Evidence) 
 
 def test_settings_of_the_user_change_nothing_and_stay_as_they_were(evidence: Evidence) -> None:
     expected = draw(SET_MOTION, evidence, "a")
-    with mpl.rc_context({"font.size": 20, "svg.fonttype": "path", "axes.grid": True}):
+    with mpl.rc_context({"font.size": 20, "svg.fonttype": "path", "axes.linewidth": 5}):
         assert draw(SET_MOTION, evidence, "a") == expected
         assert mpl.rcParams["font.size"] == 20
 
@@ -215,7 +215,7 @@ def test_missing_runs_are_named(evidence: Evidence) -> None:
 
 
 def test_a_hostile_name_is_shown_as_text(evidence: Evidence) -> None:
-    names = ("<script>alert(1)</script>", "$x_{", "_hidden", "--> &")
+    names = ("<script>alert(1)", "$x_{$", "_hidden", "--> &")
     experiment = evidence.experiment("benchmark")
     woa = evidence.runs["benchmark", "F1", "WOA"]
     hostile = replace(
@@ -229,7 +229,7 @@ def test_a_hostile_name_is_shown_as_text(evidence: Evidence) -> None:
     figure = Convergence(label="<b>", caption='"', experiment="hostile")
     drawn = draw(figure, Evidence(paper, runs), "a")
     assert "<script" not in drawn.svg
-    assert {"]]>", *names} <= {text.strip() for text in texts(drawn)}
+    assert {"]]>", *names} <= set(texts(drawn))
 
 
 @pytest.mark.parametrize("identifier", ["", "1a", 'a" onload="x', "a b"])
@@ -241,7 +241,7 @@ def test_an_identifier_that_is_none_is_refused(identifier: str) -> None:
 def test_motion_has_a_column_per_algorithm_and_one_of_the_optimum(evidence: Evidence) -> None:
     drawn = draw(MOTION, evidence, "a")
     best = FANUC.shortest()
-    mean = evidence.values(("motion", "FANUC", "IWOA"), "total")[0].mean()
+    mean = evidence.values(("motion", "FANUC", "WOA"), "total")[0].mean()
     assert {row[0] for row in drawn.rows[1:]} == {"WOA", "IWOA", "certified optimum"}
     assert {"WOA", "IWOA", "certified optimum"} <= set(texts(drawn))
     assert f"= {best.sum():.4g} s" in drawn.description

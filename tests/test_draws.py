@@ -4,7 +4,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
@@ -45,7 +45,6 @@ def test_words_are_the_published_ones() -> None:
     assert found == [11520, 0, 1509978240, 1215971899390074240]
 
 
-@settings(deadline=None)
 @given(st.lists(st.integers(0, WORD - 1), min_size=4, max_size=4))
 def test_words_are_those_of_plain_integers(start: list[int]) -> None:
     state = array(start)
@@ -63,7 +62,6 @@ def test_state_is_four_words_of_the_generator_and_moves_it_on() -> None:
     assert first.tolist() != second.tolist()
 
 
-@settings(deadline=None)
 @given(st.lists(st.integers(0, WORD - 1), min_size=4, max_size=4))
 def test_uniform_is_the_upper_53_bits_of_a_word(start: list[int]) -> None:
     drawn = float(uniform(array(start)))

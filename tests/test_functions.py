@@ -2,7 +2,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
@@ -32,8 +32,11 @@ SQUARES = {
     **dict.fromkeys(("sphere", "schwefel_1_2", "schwefel_2_21"), 100.0),
     **dict.fromkeys(("schwefel_2_22", "alpine_1"), 10.0),
     **dict.fromkeys(("penalized_1", "penalized_2"), 50.0),
-    **{"rosenbrock": 30.0, "rastrigin": 5.12, "ackley": 32.0},
-    **{"foxholes": 65.536, "goldstein_price": 2.0},
+    "rosenbrock": 30.0,
+    "rastrigin": 5.12,
+    "ackley": 32.0,
+    "foxholes": 65.536,
+    "goldstein_price": 2.0,
 }
 UNIT = st.floats(min_value=0.0, max_value=1.0)
 FREE = [f for f in FUNCTIONS.values() if f.fixed_dimension is None]
@@ -111,7 +114,6 @@ def test_alpine_has_minima_where_the_sine_is_minus_a_tenth(sine_zero: float) -> 
 
 
 @each_function
-@settings(max_examples=200, deadline=None)
 @given(data=st.data())
 def test_nothing_in_the_box_is_below_the_minimum(function: Function, data: st.DataObject) -> None:
     n = function.fixed_dimension or data.draw(st.integers(1, 6))
@@ -123,7 +125,6 @@ def test_nothing_in_the_box_is_below_the_minimum(function: Function, data: st.Da
 
 
 @each_function
-@settings(max_examples=200, deadline=None)
 @given(data=st.data())
 def test_nothing_near_the_minimiser_is_below_the_minimum(
     function: Function, data: st.DataObject

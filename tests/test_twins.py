@@ -1,3 +1,4 @@
+import math
 from collections.abc import Callable
 from dataclasses import asdict, replace
 
@@ -6,8 +7,9 @@ import pytest
 
 from repro.draws import normal, state_from, uniform
 from repro.optimisers import DBO, DE, GA, GSA, GWO, PSO, SMA, WOA, HybridWOA
+from repro.optimisers.slime_mould import _weigh
 from tests.additions import ADDITIONS, TOGETHER
-from tests.small_problems import Small, small
+from tests.small_problems import OFF_CENTRE, small
 from tests.twins.differential_evolution import differential_evolution
 from tests.twins.dung_beetle import dung_beetle
 from tests.twins.genetic import genetic
@@ -15,11 +17,14 @@ from tests.twins.gravitational import gravitational
 from tests.twins.grey_wolf import grey_wolf
 from tests.twins.hybrid_whale import hybrid_whale
 from tests.twins.particle_swarm import particle_swarm
-from tests.twins.slime_mould import slime_mould
+from tests.twins.slime_mould import _weights, slime_mould
 from tests.twins.whale import whale
 
 AnyOptimiser = DBO | DE | GA | GSA | GWO | HybridWOA | PSO | SMA | WOA
+Box = tuple[tuple[float, float], ...]
 Outcome = tuple[list[float], float, list[float], int]
+
+EPS = 2.0**-52
 
 TWINS: dict[type[AnyOptimiser], Callable[..., Outcome]] = {
     DBO: dung_beetle,
@@ -56,33 +61,33 @@ SWITCHED: tuple[AnyOptimiser, ...] = (
 
 
 def assert_same(
-    optimiser: AnyOptimiser, problem: Small, *, population: int, **twin_fields: object
+    optimiser: AnyOptimiser,
+    name: str = "rosenbrock",
+    *,
+    population: int,
+    box: Box = OFF_CENTRE,
+    gap: float = 0.0,
+    **twin_fields: object,
 ) -> None:
-    """Run the optimiser and its twin from one seed and compare every bit and every count."""
+    """Run the optimiser and its twin from one seed; every point that they try must be the same."""
     iterations = 12
+    ours, theirs = (small(name, box=box, gap=gap, room=3000) for _ in range(2))
     result = optimiser.minimise(
-        problem, population=population, iterations=iterations, rng=np.random.default_rng(7)
+        ours, population=population, iterations=iterations, rng=np.random.default_rng(7)
     )
     state = state_from(np.random.default_rng(7))
-    calls: list[None] = []
-
-    def counted(x: list[float]) -> float:
-        calls.append(None)
-        return problem.cost(x)
-
     x, cost, history, evaluations = TWINS[type(optimiser)](
-        counted,
-        problem.box,
+        theirs.cost,
+        box,
         population,
         iterations,
         lambda: float(uniform(state)),
         lambda: float(normal(state)),
         **twin_fields,
     )
-    assert result.x.tolist() == x
-    assert result.cost == cost
-    assert result.history.tolist() == history
-    assert result.evaluations == evaluations == len(calls)
+    assert ours.points == theirs.points
+    assert (result.x.tolist(), result.cost, result.history.tolist()) == (x, cost, history)
+    assert result.evaluations == evaluations == theirs.calls
 
 
 @pytest.mark.parametrize("name", ["rosenbrock", "steps", "slope"])
@@ -90,18 +95,18 @@ def assert_same(
 def test_compiled_search_is_its_twin_with_the_default_parameters(
     kind: type[AnyOptimiser], name: str
 ) -> None:
-    assert_same(kind(), small(name), population=21)
+    assert_same(kind(), name, population=21)
 
 
 @pytest.mark.parametrize("name", ["rosenbrock", "steps"])
 @pytest.mark.parametrize("optimiser", SWITCHED, ids=repr)
 def test_compiled_search_is_its_twin_with_every_switch(optimiser: AnyOptimiser, name: str) -> None:
-    assert_same(optimiser, small(name), population=23, **asdict(optimiser))
+    assert_same(optimiser, name, population=23, **asdict(optimiser))
 
 
 @pytest.mark.parametrize("population", [20, 45, 62, 63, 100])
 def test_dung_beetles_are_their_twin_at_any_population(population: int) -> None:
-    assert_same(DBO(), small("rosenbrock"), population=population)
+    assert_same(DBO(), population=population)
 
 
 @pytest.mark.parametrize(
@@ -112,13 +117,30 @@ def test_dung_beetles_are_their_twin_at_any_population(population: int) -> None:
 def test_compiled_search_is_its_twin_with_the_fewest_agents(
     optimiser: AnyOptimiser, least: int
 ) -> None:
-    assert_same(optimiser, small("rosenbrock"), population=least)
+    assert_same(optimiser, population=least)
 
 
 @pytest.mark.parametrize("spread", [0.6, 0.75, 1.0, 1.5, 2.0])
 def test_slime_mould_stays_real_where_costs_lie_within_eps(spread: float) -> None:
     # SMA.m has a logarithm of 0 or less, or a division by zero, up to a spread of eps
-    gap = spread * 2.0**-52
-    problem = small("cliff", box=((-1.0, 1.0), (-1.0, 1.0)), data=(gap, 0.0))
+    assert_same(SMA(), "cliff", population=20, box=((-1.0, 1.0),) * 2, gap=spread * EPS)
 
-    assert_same(SMA(), problem, population=20)
+
+@pytest.mark.parametrize("base", [0.0, 1.0])
+@pytest.mark.parametrize("spread", [0.0, 1.0, 2.0, 3.0, 2.0**60])
+def test_slime_mould_weights_stay_within_log10_of_two(base: float, spread: float) -> None:
+    costs = np.array([base, base + spread * EPS, base + spread * EPS, base])
+    order = np.argsort(costs, kind="stable")
+    W = np.empty((4, 200))
+
+    _weigh(W, costs, order, state_from(np.random.default_rng(1)))
+
+    state = state_from(np.random.default_rng(1))
+    assert W.tolist() == _weights(costs.tolist(), order.tolist(), 200, lambda: uniform(state))
+    assert (np.abs(W - 1.0) <= math.log10(2.0)).all()
+    assert (W[[1, 2]] < 1.0).any() == (spread > 1.0)
+
+
+@pytest.mark.parametrize("kind", TWINS, ids=lambda kind: kind.__name__)
+def test_compiled_search_is_its_twin_where_all_agents_coincide(kind: type[AnyOptimiser]) -> None:
+    assert_same(kind(), population=20, box=((1.0, 1.0), (-2.0, -2.0)))

@@ -195,6 +195,7 @@ SENTENCES = (
         printed=TIME_SAVED,
         measure=Reduction(before=total_time("WOA"), after=total_time("IWOA")),
         accepted=Between(1, 100),
+        in_words=True,
     ),
     Sentence(
         claim="IWOA takes 18 % less time than the motion before optimisation in RoboGuide",

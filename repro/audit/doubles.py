@@ -104,15 +104,14 @@ def _fits(printed: Span, spacing: Fraction) -> str:
     """Say for which numbers of equal runs rounding alone gives the printed spread."""
     fits = []
     for k in range(1, SPACINGS + 1):
-        runs = [
-            n
-            for n in range(2, RUNS + 1)
-            if printed.low**2 <= (k * spacing) ** 2 * Fraction(n, n - 1) <= printed.high**2
-        ]
-        if runs:
-            fits.append(f"k = {k} and {_range(runs)}")
+        low, high = ((end / (k * spacing)) ** 2 for end in (printed.low, printed.high))
+        if high > 1:  # n/(n-1) falls with n and lies between these
+            least = math.ceil(high / (high - 1))
+            most = math.floor(low / (low - 1)) if low > 1 else RUNS
+            if least <= min(most, RUNS):
+                fits.append(f"k = {k} and {_range(least, min(most, RUNS))}")
     return f"which fits {'; '.join(fits)}" if fits else f"which fits no n up to {RUNS}"
 
 
-def _range(runs: list[int]) -> str:
-    return f"n = {runs[0]}" if len(runs) == 1 else f"n from {runs[0]} to {runs[-1]}"
+def _range(least: int, most: int) -> str:
+    return f"n = {least}" if least == most else f"n from {least} to {most}"

@@ -26,13 +26,11 @@ class Widest:
     @property
     def words(self) -> str:
         """The sample as a phrase."""
-        rest = self.n - self.upper - 1
-        parts = [
-            (self.upper, self.high),
-            (1, self.between),
-            (rest, self.low),
-        ]
-        return " and ".join(f"{count} at {shown(value)}" for count, value in parts if count)
+        counts = {self.high: self.upper}
+        for value, count in ((self.between, 1), (self.low, self.n - self.upper - 1)):
+            counts[value] = counts.get(value, 0) + count
+        parts = (f"{count} at {shown(value)}" for value, count in counts.items() if count)
+        return " and ".join(parts)
 
 
 def widest(n: int, low: Fraction | None, high: Fraction | None, mean: Span | None) -> Widest | None:

@@ -115,7 +115,10 @@ def _beyond_rounding(relation: PrintedPoses, errors: Array) -> list[TableCell]:
 
 def _closing(relation: PrintedPoses, convention: Convention) -> str:
     """Say which change of one constant of the D-H table brings the points nearest."""
-    best = min(_changes(relation, convention), key=lambda change: _size(change.errors))
+    changes = list(_changes(relation, convention))
+    best = min(changes, key=lambda change: _size(change.errors))
+    # two parallel links are told apart by no waypoint, so all that do as well are named
+    ties = [each for each in changes if np.allclose(each.errors, best.errors, atol=1e-9)]
     left = _beyond_rounding(relation, best.errors)
     verdict = (
         f"beyond rounding would remain {', '.join(cell.where for cell in left)}"
@@ -123,7 +126,8 @@ def _closing(relation: PrintedPoses, convention: Convention) -> str:
         else "every coordinate would then agree within its print"
     )
     return (
-        f"Of all changes of one constant of {relation.dh.label}, {best.words} fits best: "
+        f"Of all changes of one constant of {relation.dh.label}, "
+        f"{' or '.join(each.words for each in ties)} brings the points nearest: "
         f"{_distances(best.errors)} mm; {verdict}"
     )
 

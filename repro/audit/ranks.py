@@ -43,21 +43,22 @@ def rank_rows(paper: str, relation: AverageRank) -> Iterator[AuditRow]:
 
 def _total_rows(paper: str, relation: AverageRank, total: str) -> Iterator[AuditRow]:
     """Check the total ranks against the printed average ranks."""
-    averages = {
-        name: exact(relation.table[relation.average, name].value) for name in relation.columns
-    }
-    for name in relation.columns:
+    averages = {name: relation.table[relation.average, name] for name in relation.columns}
+    spans = {name: span(printed) for name, printed in averages.items()}
+    for name, own in spans.items():
         printed = relation.table[total, name]
-        ranks = _rank(averages[name], list(averages.values()))
-        if not span(printed).meets(ranks):
+        lower = sum(rival.high < own.low for rival in spans.values())
+        higher = sum(rival.low > own.high for rival in spans.values())
+        ranks = Span(Fraction(1 + lower), Fraction(len(spans) - higher))
+        if not ranks.low <= exact(printed.value) <= ranks.high:
             yield audit_row(
                 paper,
                 (_cell(relation, total, name), _cell(relation, relation.average, name)),
                 check="total-rank",
                 grade=Grade.INCONSISTENT,
                 explanation=(
-                    f"the average rank {shown(averages[name])} of {name} has place "
-                    f"{_in_words(ranks)} among {', '.join(map(shown, averages.values()))}; "
+                    f"the average rank {averages[name].text} of {name} has place "
+                    f"{_in_words(ranks)} among {', '.join(p.text for p in averages.values())}; "
                     f"printed is {printed.text}"
                 ),
             )

@@ -1,6 +1,7 @@
 """Equal numbers in places that have nothing to do with each other."""
 
 import itertools
+import math
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
 
@@ -13,28 +14,48 @@ from repro.relations import TableCell
 DIGITS = 4  # significant digits from which an equal number is worth a note
 DIGITS_WITH_POWER = 3  # as above, where a power of ten agrees too
 DIGITS_OF_BLOCK = 6  # digits of a whole block that recur with other powers of ten
+CHANCE = 0.1  # agreeing pairs expected by chance from which on an agreement says nothing
 
 Entry = tuple[Block, str]  # a block and the name of one of its statistics
 
 
 def repeat_rows(paper: str, blocks: Sequence[Block]) -> Iterator[AuditRow]:
     """Yield a row per number, and per set of digits, that recurs in different blocks."""
-    entries = [(block, name) for block in blocks for name in block.claims if _stands(block, name)]
-    seen = defaultdict(list)
-    for block, name in entries:
-        seen[block.quantity, block.printed(name).value].append((block, name))
-    for same in seen.values():
-        if len({id(block) for block, _ in same}) > 1:
-            yield _equal_cells(paper, same, among=len(entries))
+    alike, equal = defaultdict(list), defaultdict(list)
+    for block in blocks:
+        for name in block.claims:
+            if _stands(block, name):
+                printed = block.printed(name)
+                size = (block.quantity, len(digits(printed)), _decade(printed))
+                alike[size].append((block, name))
+                equal[size, printed.value].append((block, name))
+    for (size, _), same in equal.items():
+        pairs = _pairs(alike[size])
+        chance = pairs / (9 * 10 ** (size[1] - 1))
+        if _pairs(same) and chance < CHANCE:
+            yield _equal_cells(paper, same, pairs=pairs, chance=chance)
     yield from _equal_digits(paper, blocks)
+
+
+def _decade(printed: Printed) -> int:
+    return math.floor(math.log10(abs(printed.value)))
+
+
+def _pairs(entries: Sequence[Entry]) -> int:
+    """Return how many pairs of different blocks the entries form."""
+    return sum(one is not other for (one, _), (other, _) in itertools.combinations(entries, 2))
 
 
 def digits(printed: Printed) -> str:
     """Return the significant digits without sign, point and power of ten."""
-    mantissa = printed.text.replace("−", "-")
+    return _mantissa(printed).lstrip("+-").replace(".", "").lstrip("0")
+
+
+def _mantissa(printed: Printed) -> str:
+    text = printed.text.replace("−", "-")
     for mark in "×xeE":
-        mantissa = mantissa.partition(mark)[0]
-    return mantissa.strip().lstrip("+-").replace(".", "").lstrip("0")
+        text = text.partition(mark)[0]
+    return text.strip()
 
 
 def _stands(block: Block, name: str) -> bool:
@@ -50,21 +71,18 @@ def _stands(block: Block, name: str) -> bool:
     return all(abs(printed.value - value) > printed.rounding for value in (least, function.minimum))
 
 
-def _equal_cells(paper: str, same: Sequence[Entry], *, among: int) -> AuditRow:
+def _equal_cells(paper: str, same: Sequence[Entry], *, pairs: int, chance: float) -> AuditRow:
     block, name = same[0]
-    printed = block.printed(name)
     places = "; ".join(f"{b.problem_name} {statistic} of {b.algorithm}" for b, statistic in same)
-    pairs = among * (among - 1) // 2
-    chance = pairs / (9 * 10 ** (len(digits(printed)) - 1))
     return audit_row(
         paper,
         _cells(same),
         check="repeat",
         grade=Grade.NOTED,
         explanation=(
-            f"{printed.text} stands in {len(same)} cells: {places}. Among {among} numbers of this "
-            f"length there are {pairs} pairs; if digits were random, {shown(chance)} of them "
-            f"would agree in all {len(digits(printed))} digits, fewer still in the power of ten"
+            f"{block.printed(name).text} stands in {len(same)} cells: {places}. The numbers of "
+            f"this length and power of ten form {pairs} pair{'s' * (pairs > 1)} across blocks; if "
+            f"digits were random, {shown(chance)} of these would agree"
         ),
     )
 
@@ -77,9 +95,10 @@ def _equal_digits(paper: str, blocks: Sequence[Block]) -> Iterator[AuditRow]:
         series = tuple(digits(block.printed(name)) for name in names)
         if len(set(series)) == len(names) > 1 and sum(map(len, series)) >= DIGITS_OF_BLOCK:
             seen[block.quantity, names, series].append(block)
-    for (_, names, series), same in seen.items():
+    for (_, names, _), same in seen.items():
         values = {tuple(block.printed(name).value for name in names) for block in same}
         if len(same) > 1 and len(values) > 1:
+            shown_digits = " and ".join(_mantissa(same[0].printed(name)) for name in names)
             places = "; ".join(f"{block.algorithm} on {block.problem_name}" for block in same)
             yield audit_row(
                 paper,
@@ -87,7 +106,7 @@ def _equal_digits(paper: str, blocks: Sequence[Block]) -> Iterator[AuditRow]:
                 check="repeat-digits",
                 grade=Grade.NOTED,
                 explanation=(
-                    f"the digits {' and '.join(series)} ({' and '.join(names)}) stand in "
+                    f"the digits {shown_digits} ({' and '.join(names)}) stand in "
                     f"{len(same)} places, powers of ten aside: {places}"
                 ),
             )

@@ -146,7 +146,7 @@ def _curves(figure: Convergence, evidence: Evidence) -> tuple[Panels, list[str]]
 
 def _curve(histories: Vector, points: int) -> Curve:
     """Return the curve of histories (runs, iterations), thinned out to that many points."""
-    known = np.flatnonzero(np.ones(histories.shape[1]))  # a search may start without a cost
+    known = np.flatnonzero(np.isfinite(histories).all(axis=0))  # a search may start without a cost
     picked = known[np.unique(np.linspace(0, len(known) - 1, points).round().astype(int))]
     costs = histories[:, picked]
     return Curve(

@@ -3,8 +3,9 @@
 from dataclasses import dataclass
 
 from repro.evidence import Evidence
-from repro.figures import Convergence, Figure, Motion
+from repro.figures import Convergence, Figure, JointCurves, Motion
 from repro.report.convergence import HEADINGS, convergence_plot
+from repro.report.fit_drawing import joint_curves_plot
 from repro.report.motion import motion_plot
 from repro.report.style import Plot, Rows, drawing_style, empty
 from repro.report.svg import inline_svg
@@ -48,6 +49,8 @@ def _plot(figure: Figure, evidence: Evidence) -> Plot:
         return convergence_plot(figure, evidence) or _nothing()
     if isinstance(figure, Motion):
         return motion_plot(figure, evidence)
+    if isinstance(figure, JointCurves):
+        return joint_curves_plot(figure, evidence)
     return tool_path_plot(figure)
 
 

@@ -155,11 +155,8 @@ def draw_legend(canvas: Figure, legend: Sequence[Line2D]) -> None:
     """Draw one legend at the top of the figure, read line by line."""
     across = legend_columns(legend)
     ordered = [entry for column in range(across) for entry in legend[column::across]]
-    names = [str(entry.get_label()) for entry in ordered]
     canvas.legend(
-        ordered,
-        # matplotlib leaves out names that begin with an underscore
-        [f" {name}" if name.startswith("_") else name for name in names],
+        handles=ordered,
         loc="upper center",
         ncols=across,
         frameon=False,

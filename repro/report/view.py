@@ -7,7 +7,7 @@ import numpy as np
 
 from repro.audit import AuditRow
 from repro.evidence import Evidence
-from repro.findings import Finding
+from repro.findings import IN_WORDS, Finding
 from repro.model import Experiment, Paper
 from repro.published import UNITS, Printed, PublishedTable
 from repro.report.words import (
@@ -67,15 +67,16 @@ def shown(finding: Finding, marks: Mapping[Place, list[AuditRow]]) -> Shown:
     """Return a finding in the words and digits of the pages."""
     place = (finding.table, finding.row, finding.column)
     cell = " ".join(part for part in place if part)
-    printed = Printed(finding.printed, finding.unit)
-    digits = digits_for(printed)
+    worded = finding.printed == IN_WORDS
+    printed = None if worded else Printed(finding.printed, finding.unit)
+    digits = digits_for(printed) if printed else 4
     return Shown(
         finding=finding,
         anchor=anchor(*place, finding.claim),
         name=finding.claim or cell,
-        printed=finding.printed if finding.table else _with_unit(printed),
+        printed=finding.printed if finding.table or not printed else _with_unit(printed),
         value=number(finding.value, digits),
-        difference=difference(printed, finding.value),
+        difference=difference(printed, finding.value) if printed else "",
         verdict=verdict_words(finding.verdict, finding.side),
         kind=anchor(finding.verdict),
         measured=interval(finding.measured, digits),

@@ -1,16 +1,21 @@
-"""Arms and motions: D-H kinematics, rest-to-rest polynomials, minimum-time problems."""
+"""Arms and motions: D-H kinematics, polynomials, minimum-time and path-fitting problems."""
 
+from repro.robotics.joint_axes import freedoms, jacobian
 from repro.robotics.kinematics import Convention, dh_rows, forward_kinematics
+from repro.robotics.path_fitting import PathFitting
 from repro.robotics.polynomials import RestToRestLaw, cubic, quintic, septic
 from repro.robotics.rest_to_rest import MinimumTime, peak
 
 __all__ = [
     "Convention",
     "MinimumTime",
+    "PathFitting",
     "RestToRestLaw",
     "cubic",
     "dh_rows",
     "forward_kinematics",
+    "freedoms",
+    "jacobian",
     "peak",
     "quintic",
     "septic",

@@ -49,7 +49,7 @@ def cheapest(problem: MinimumTime) -> Cheapest:
             choices.append((float(times.sum()) + price, times))
     cost, durations = min(choices, key=lambda choice: choice[0])
     over = (needed > durations[:, None]).any(axis=0)
-    broken = tuple(kind for kind, is_over in zip(DERIVATIVES.values(), over, strict=True) if is_over)
+    broken = tuple(kind for m, kind in DERIVATIVES.items() if over[m - 1])
     return Cheapest(cost=cost, durations=durations, broken=broken)
 
 

@@ -8,6 +8,7 @@ are zero at both ends (C. de Boor, A Practical Guide to Splines, Springer 1978, 
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.polynomial import Polynomial
@@ -31,15 +32,11 @@ class PiecewiseMotion:
 
     def peaks(self, derivative: int) -> Vector:
         """Return each joint's greatest |derivative| over the motion, in rad/s^derivative."""
-        return np.array(
-            [
-                [
-                    np.abs(_extremes(curve.deriv(derivative))).max() / duration**derivative
-                    for curve in segment
-                ]
-                for segment, duration in zip(self.curves, self.durations, strict=True)
-            ]
-        ).max(axis=0)
+        each = [
+            [np.abs(_extremes(c.deriv(derivative))).max() / duration**derivative for c in segment]
+            for segment, duration in zip(self.curves, self.durations, strict=True)
+        ]
+        return np.asarray(np.max(each, axis=0))
 
     def reversals(self) -> int:
         """Return the greatest number of times that one joint turns back."""
@@ -70,7 +67,7 @@ def resting_at(
     points = np.array(waypoints)
     curves = tuple(
         tuple(start + (end - start) * law.polynomial for start, end in zip(*ends, strict=True))
-        for ends in zip(points, points[1:], strict=False)
+        for ends in pairwise(points)
     )
     return PiecewiseMotion(curves=curves, durations=tuple(durations))
 
@@ -86,9 +83,7 @@ def passing_through(
     return PiecewiseMotion(curves=curves, durations=tuple(durations))
 
 
-def _conditions(
-    points: Vector, durations: Sequence[float], degree: int
-) -> tuple[Vector, Vector]:
+def _conditions(points: Vector, durations: Sequence[float], degree: int) -> tuple[Vector, Vector]:
     """Return matrix (n, n) and right-hand sides (n, joints) of n = segments · (degree + 1)."""
     segments, size = len(durations), degree + 1
     start, end = _derivatives_at(0, degree), _derivatives_at(1, degree)

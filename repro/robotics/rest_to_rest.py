@@ -17,6 +17,7 @@ from repro.robotics.polynomials import RestToRestLaw
 Vector = NDArray[np.float64]
 Handling = Literal["feasibility first", "penalty", "rejection", "fixed penalties"]
 DERIVATIVES = {1: "velocity", 2: "acceleration", 3: "jerk"}
+_PENALTIES = 5
 _HEADER = 8
 
 
@@ -48,10 +49,16 @@ def _cost(x, data):
         return total + weight * excess
     if handling == 2.0:
         return longest + 1.0
+    return total + _price(broken, data)
+
+
+@jit
+def _price(broken, data):
+    price = 0.0
     for m in range(3):
         if broken & (1 << m):
-            total += data[5 + m]
-    return total
+            price += data[_PENALTIES + m]
+    return price
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,0 +1,61 @@
+"""Mousa et al.: polynomials, WOA and GA for point-to-point motion of a KUKA KR4 R600."""
+
+from papers.mousa2023.open_points import ASSUMPTIONS, ERRATA, GAPS
+from papers.mousa2023.polynomial_claims import POLYNOMIAL_CLAIMS
+from papers.mousa2023.printed import ANGLES, TABLE_IV
+from papers.mousa2023.protocol import CUBIC, CUBIC_FIT, FIT, QUINTIC, SEPTIC_FIT, SHIFTED_FIT
+from papers.mousa2023.search_claims import SEARCH_CLAIMS
+from repro.figures import Convergence, JointCurves
+from repro.model import Paper, Source
+
+PAPER = Paper(
+    key="mousa2023",
+    source=Source(
+        authors="Mahmoud A. A. Mousa, Abdelrahman T. Elgohr, Hatem A. Khater",
+        title="Path Planning for a 6 DoF Robotic Arm Based on Whale Optimization Algorithm and "
+        "Genetic Algorithm",
+        year=2023,
+        journal="Journal of Engineering Research 7(5), article 53",
+        doi="10.21608/erjeng.2023.237586.1256",
+    ),
+    summary="Cubic and quintic polynomials, WOA and GA plan one motion of a KUKA KR4 R600; WOA is "
+    "said to be faster and more accurate than GA. No result is printed as a number.",
+    experiments=(FIT, CUBIC_FIT, SEPTIC_FIT, SHIFTED_FIT),
+    inputs=(TABLE_IV, ANGLES),
+    results=(),
+    claims=(*POLYNOMIAL_CLAIMS, *SEARCH_CLAIMS),
+    assumptions=ASSUMPTIONS,
+    errata=ERRATA,
+    gaps=GAPS,
+    figures=(
+        JointCurves(
+            label="Fig. 2",
+            caption="Angle, velocity and acceleration of the six joints by cubic polynomials",
+            paths=CUBIC,
+        ),
+        JointCurves(
+            label="Fig. 3",
+            caption="Angle, velocity and acceleration of the six joints by quintic polynomials",
+            paths=QUINTIC,
+        ),
+        JointCurves(
+            label="Fig. 4",
+            caption="Angle, velocity and acceleration of the six joints fitted by WOA",
+            paths=QUINTIC,
+            experiment=FIT.name,
+            algorithms=("WOA",),
+        ),
+        JointCurves(
+            label="Fig. 5",
+            caption="Angle, velocity and acceleration of the six joints fitted by GA",
+            paths=QUINTIC,
+            experiment=FIT.name,
+            algorithms=("GA", "GA by generations"),
+        ),
+        Convergence(
+            label="Fig. 6",
+            caption="Norm of the difference over the iterations of WOA and GA",
+            experiment=FIT.name,
+        ),
+    ),
+)

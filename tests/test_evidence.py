@@ -1,0 +1,63 @@
+from dataclasses import dataclass, replace
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from repro.errors import DeclarationError
+from repro.evidence import Evidence, Runs
+from tests.small_papers import EXPERIMENT, PAPER, Bowl, evidence
+
+Vector = NDArray[np.float64]
+CELL = ("search", "bowl", "guess")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Sized(Bowl):
+    """A bowl that says how far a point lies from its centre."""
+
+    def quantity(self, name: str, points: Vector) -> Vector:
+        """Return the distance times the number that `name` is."""
+        return float(name) * np.asarray(np.linalg.norm(points - self.data, axis=-1))
+
+
+def test_values_are_the_costs_of_every_run() -> None:
+    assert evidence(guess=[[1, 2], [3, 4]]).values(CELL).tolist() == [[1, 2], [3, 4]]
+
+
+def test_cost_after_k_iterations_is_that_of_the_history() -> None:
+    found = evidence(guess=[[1, 2]])  # whose histories fall from 5 times the cost to the cost
+
+    assert found.values(CELL, "cost after 1 iterations").tolist() == [[5, 10]]
+    assert found.values(CELL, "cost after 4 iterations").tolist() == [[2, 4]]
+    assert found.values(CELL, "cost after 5 iterations").tolist() == found.values(CELL).tolist()
+
+
+@pytest.mark.parametrize("k", [0, 6])
+def test_iteration_that_was_not_run_is_refused(k: int) -> None:
+    fault = f"search/bowl/guess: no 'cost after {k} iterations'; it has iterations 1 to 5"
+    with pytest.raises(DeclarationError, match=fault):
+        evidence(guess=[[1, 2]]).values(CELL, f"cost after {k} iterations")
+
+
+def test_other_quantities_are_the_problems_own() -> None:
+    sized = replace(EXPERIMENT, problems={"bowl": Sized(centre=(3.0, 4.0))})
+    paper = replace(PAPER, experiments=(sized,), results=(), claims=())
+
+    assert evidence(paper, guess=[[1, 2]]).values(CELL, "2").tolist() == [[10.0, 10.0]]
+
+
+def test_quantity_of_a_problem_that_has_none_is_refused() -> None:
+    with pytest.raises(DeclarationError, match="search/bowl/guess: no quantity 'total', only"):
+        evidence(guess=[[1, 2]]).values(CELL, "total")
+
+
+def test_experiment_is_found_by_name() -> None:
+    assert evidence().experiment("search") is EXPERIMENT
+
+
+def test_cells_that_were_not_run_are_absent() -> None:
+    found: Evidence = evidence(guess=[[1, 2]])
+
+    assert set(found.runs) == {CELL}
+    assert isinstance(found.runs[CELL], Runs)

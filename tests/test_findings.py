@@ -1,0 +1,158 @@
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from repro.claims import Claim, Sentence
+from repro.findings import PROVISIONAL, Finding, judge_paper
+from repro.measures import Computed
+from repro.model import Gap, Paper
+from repro.published import Printed, PublishedTable
+from repro.verdict import Absolute, Between, Verdict
+from tests.small_papers import CLAIMS, PAPER, TABLE, evidence
+
+
+def sentence(printed: Printed, value: float, *, within: float = 0) -> Sentence:
+    return Sentence(
+        claim="it is so",
+        where="p. 4",
+        printed=printed,
+        measure=Computed(how="as it is", value=lambda: value),
+        accepted=Absolute(within),
+    )
+
+
+def finding_of(claim: Claim) -> Finding:
+    paper = replace(PAPER, results=(), claims=(claim,))
+    (found,) = judge_paper(evidence(paper))
+    return found
+
+
+def test_every_claim_has_a_finding_in_the_order_of_declaration() -> None:
+    found = judge_paper(evidence(guess=[[0.05] * 3], wide=[[0.5] * 3]))
+
+    assert [(f.table, f.row, f.column) for f in found] == [claim.place for claim in CLAIMS]
+    assert [f.printed for f in found] == [claim.printed.text for claim in CLAIMS]
+
+
+@pytest.mark.parametrize(
+    ("value", "verdict", "side"),
+    [(2.0, "reproduced", None), (1.0, "contradicted", "lower"), (3.0, "contradicted", "higher")],
+)
+def test_constant_value_is_judged_against_the_band(
+    value: float, verdict: str, side: str | None
+) -> None:
+    found = finding_of(sentence(Printed("2.0"), value))
+
+    assert (found.verdict, found.side) == (verdict, side)
+    assert found.measured == (value, value)
+    assert found.accepted == pytest.approx((1.95, 2.05))
+    assert (found.claim, found.where, found.table) == ("it is so", "p. 4", None)
+
+
+def test_numbers_are_in_the_printed_unit() -> None:
+    found = finding_of(sentence(Printed("90", "deg"), math.pi / 2))
+
+    assert found.verdict == Verdict.REPRODUCED
+    assert found.value == pytest.approx(90)
+    assert found.measured == pytest.approx((90, 90))
+    assert found.unit == "deg"
+
+
+def test_claim_without_runs_is_not_run_and_names_them() -> None:
+    guess, wide, *_ = judge_paper(evidence(guess=[[0.05] * 3]))
+
+    assert wide.verdict == Verdict.NOT_RUN
+    assert wide.note == "no whole repeat of search/bowl/wide"
+    assert (wide.measured, wide.value, wide.side) == (None, None, None)
+    assert guess.verdict == Verdict.REPRODUCED
+
+
+def test_claim_with_a_gap_is_not_reproducible_for_its_reason() -> None:
+    gap = Gap(what="times on the arm", where="p. 9", because="it needs the arm")
+    arm = replace(sentence(Printed("16.4", "%"), 1.0), measure=None, gap=gap)
+
+    found = finding_of(arm)
+
+    assert (found.verdict, found.note) == (Verdict.NOT_REPRODUCIBLE, "it needs the arm")
+    assert (found.measured, found.measure) == (None, "")
+
+
+def test_one_repeat_is_provisional_and_two_are_not() -> None:
+    once = judge_paper(evidence(guess=[[0.05] * 3], wide=[[0.5] * 3]))
+    twice = judge_paper(evidence(guess=[[0.05] * 3] * 2, wide=[[0.5] * 3] * 2))
+
+    assert {f.note for f in once} == {PROVISIONAL}
+    assert {f.note for f in twice} == {""}
+    assert {f.repeats for f in twice} == {2}
+
+
+def test_claim_that_needs_no_runs_is_never_provisional() -> None:
+    found = finding_of(sentence(Printed("2.0"), 2.0))
+
+    assert (found.note, found.repeats, found.quantile) == ("", 0, None)
+
+
+def test_quantile_is_the_share_of_tables_below_the_printed_value() -> None:
+    costs = [[0.05, 0.05, 0.05], [0.2, 0.2, 0.2]]
+    tied, *_ = judge_paper(evidence(guess=[[0.05] * 3]))
+    below, *_ = judge_paper(evidence(guess=[[0.2] * 3]))
+    mixed, *_ = judge_paper(evidence(guess=costs))
+
+    assert (tied.quantile, below.quantile) == (0.5, 0.0)
+    # a table of three is all 0.05 with chance 1/8, and half of those count; the standard error of
+    # a share of 2000 tables is 0.0074 at 1/8, and half as much for its half: 5 of them
+    assert mixed.quantile == pytest.approx(1 / 16, abs=0.0185)
+
+
+def test_measured_interval_holds_the_central_tables() -> None:
+    costs = np.random.default_rng(1).lognormal(size=(20, 3))
+    found, *_ = judge_paper(evidence(guess=costs.tolist()))
+
+    assert found.measured is not None
+    low, high = found.measured
+    standard_error = float(costs.std()) / 3**0.5
+    assert low < float(costs.mean()) < high
+    assert high - low > 2 * standard_error
+
+
+def published(costs: list[list[float]], scale: float) -> Paper:
+    cell = np.array(costs[0]) * scale
+    page = f"""
+        Table 1, p. 3
+        problem | statistic || guess
+        bowl    | mean      || {cell.mean():.2e}
+                | std       || {cell.std(ddof=1):.2e}
+    """
+    table = PublishedTable.read(page)
+    claims = tuple(replace(claim, table=table) for claim in CLAIMS if claim.column == "guess")
+    return replace(PAPER, results=(table,), claims=claims)
+
+
+def contradicted_share(scale: float) -> float:
+    rng = np.random.default_rng(5)
+    verdicts = []
+    for _ in range(40):
+        costs = rng.normal(1.0, 0.1, size=(5, 3)).tolist()
+        found = judge_paper(evidence(published(costs, scale), guess=costs))
+        verdicts += [f.verdict for f in found]
+    return verdicts.count(Verdict.CONTRADICTED) / len(verdicts)
+
+
+def test_our_own_runs_as_a_paper_prints_them_are_not_contradicted() -> None:
+    assert contradicted_share(1.0) <= 0.05
+
+
+def test_ten_times_our_own_runs_are_contradicted() -> None:
+    assert contradicted_share(10.0) >= 0.95
+
+
+def test_finding_says_what_was_measured_and_what_was_accepted() -> None:
+    first, *_ = judge_paper(evidence(guess=[[0.05] * 3]))
+    ranked = finding_of(replace(sentence(Printed("1", "rank"), 1.0), accepted=Between(1, 1)))
+
+    assert first.where == TABLE.where
+    assert first.measure == "mean cost of guess on bowl"
+    assert first.tolerance == "within 25 % and the printed rounding"
+    assert (ranked.measure, ranked.tolerance) == ("as it is", "exactly 1")
