@@ -64,7 +64,11 @@ def difference(printed: Printed, value: float | None) -> str:
     ratio = value / printed.value
     if not 0.1 < ratio < 10:
         return f"{math.log10(ratio):+.1f} decades".replace("-", "−")
-    return f"×{ratio:.2f}" if ratio > 2 else f"{100 * (ratio - 1):+.1f} %".replace("-", "−")
+    if ratio > 2:
+        return f"×{ratio:.2f}"
+    percent = 100 * (ratio - 1)
+    text = f"{percent:+.1f}" if abs(percent) >= 1 else f"{percent:+.1g}"
+    return f"{text} %".replace("-", "−")
 
 
 def raised(text: object) -> Markup:
