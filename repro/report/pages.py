@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
+from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 from markupsafe import Markup
 
 from repro.audit import audit
@@ -131,7 +131,7 @@ def index_files(results: Json) -> Files:
 def _render(name: str, context: Mapping[str, object]) -> str:
     environment = Environment(
         loader=PackageLoader("repro.report"),
-        autoescape=lambda template: bool(template and template.endswith(".html.jinja")),
+        autoescape=select_autoescape(["html.jinja"]),
         undefined=StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
