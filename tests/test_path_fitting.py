@@ -9,8 +9,8 @@ from papers.mousa2023 import PAPER
 from repro.certify import certify
 from repro.compiled import COST, ready
 from repro.errors import DeclarationError
-from repro.optimisers import DE
 from repro.robotics import PathFitting, RestToRestLaw, cubic, quintic, septic
+from repro.robotics.path_fitting import _orthogonal
 
 FIT = PathFitting(
     start=0.3, end=-1.1, law=quintic, duration=3.0, intervals=40, box=((-50.0, 50.0),) * 6
@@ -54,6 +54,15 @@ def test_own_coefficients_of_a_polynomial_path_cost_nothing(law: RestToRestLaw) 
 
     assert cost(fit, fit.coefficients) == fit.least_cost() == 0.0
     assert norm_at_every_instant(fit, fit.coefficients) < 1e-13
+
+
+@pytest.mark.parametrize("n", [1, 4, 6, 9])
+def test_factors_of_the_powers_are_orthonormal_and_give_them_back(n: int) -> None:
+    Q, R = _orthogonal(100, n)
+
+    assert pytest.approx(np.eye(n), abs=1e-14) == Q.T @ Q
+    assert pytest.approx(np.vander(np.linspace(0, 1, 101), n, increasing=True), abs=1e-13) == Q @ R
+    assert np.tril(R, -1).tolist() == np.zeros((n, n)).tolist()
 
 
 @LAWS
@@ -103,15 +112,6 @@ def test_errors_of_a_shifted_path_are_the_shift() -> None:
 def test_unknown_quantity_is_refused_with_the_known_ones() -> None:
     with pytest.raises(DeclarationError, match=r"no quantity 'joy'.*'rms error'.*'peak jerk'"):
         FIT.quantity("joy", FIT.coefficients)
-
-
-def test_search_comes_near_the_certified_minimum() -> None:
-    rng = np.random.default_rng(1)
-
-    fit = replace(FIT, box=((-5.0, 5.0),) * 4)  # a cubic cannot be a quintic
-    found = DE().minimise(fit, population=30, iterations=2000, rng=rng)
-
-    assert 0.05 < fit.least_cost() <= found.cost < 1.001 * fit.least_cost()
 
 
 @pytest.mark.parametrize(

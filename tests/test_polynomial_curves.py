@@ -92,6 +92,13 @@ def test_many_curves_are_measured_like_each_alone() -> None:
         assert together.tolist() == pytest.approx(np.array(alone), rel=1e-14)
 
 
+def test_coefficient_that_rounding_swallows_changes_nothing() -> None:
+    plain, swallowed = (np.array([0.0, 0, 0, 0, 1, last]) for last in (0.0, 5e-324))
+
+    for measure in QUANTITIES.values():
+        assert measure(swallowed, DURATION) == measure(plain, DURATION)
+
+
 def test_standing_still_has_no_jumps_jerk_or_reversals() -> None:
     for measure in QUANTITIES.values():
         assert measure(np.array([0.4, 0, 0, 0, 0, 0]), 1.0) == 0.0

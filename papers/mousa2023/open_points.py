@@ -82,7 +82,7 @@ ASSUMPTIONS = (
         alternatives=("any other",),
         because="none is printed; the copy keeps a 2 from a time axis of Fig. 2. Bounds below are "
         "such that the fits are the same for every duration; it only scales the derivatives. From "
-        "0.54 s on the quintic keeps the speeds and accelerations of the real arm",
+        "0.56 s on the quintic keeps the speeds and accelerations of the real arm",
     ),
     Assumption(
         what="bounds of the coefficients",
@@ -126,7 +126,8 @@ ASSUMPTIONS = (
         ),
         because="how a child comes of its parents is not told, and the two rates are those of "
         "MATLAB's program, which the authors may have used. The lineage decides: GA that blends is "
-        "well ahead of WOA, GA that exchanges genes about equal to it",
+        "well ahead of WOA, GA that exchanges genes about equal to it. The one as told was added "
+        "when runs of the other had shown this",
     ),
     Assumption(
         what="ranges of angle, velocity and acceleration in a search",
@@ -149,7 +150,8 @@ ASSUMPTIONS = (
         where="Eqs. (10) and (11)",
         chosen="both readings are checked; the fits need neither",
         alternatives=("angles A1 to A6 of the real arm", "joint angles θ of Table IV"),
-        because="as A1 to A6 they lie in its ranges and the tool is 0.91 m and 0.95 m high; as θ "
+        because="as A1 to A6 they lie in its ranges (github kroshu/kuka_robot_descriptions, "
+        "kr4_r600_macro.xacro) and the tool is 0.91 m and 0.95 m high; as θ "
         "the tool is 1 mm and 3 mm above the base plane, but A2 is 59° beyond its range and the "
         "elbow stands 44 mm above that plane and within 50 mm of the axis of joint 1: in the base",
     ),

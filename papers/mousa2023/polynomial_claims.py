@@ -63,6 +63,7 @@ def _ends(name: str, equation: tuple[str, ...], quantity: str, unit: str, where:
             value=largest(equation, f"start {quantity}", f"end {quantity}"),
         ),
         accepted=NONE,
+        in_words=True,
     )
 
 
@@ -80,6 +81,7 @@ SMOOTHER = tuple(
             of=_planned(QUINTIC, "quintic", words), others=(_planned(CUBIC, "cubic", words),)
         ),
         accepted=Between(1, 1),
+        in_words=True,
     )
     for words, *_ in SMOOTHNESS
 )
@@ -102,6 +104,7 @@ ENDS = (
             value=largest(EQUATION_4, "start error", "end error"),
         ),
         accepted=NONE,
+        in_words=True,
     ),
     Sentence(
         claim="the quintic leads from the start to the end angles",
@@ -112,6 +115,7 @@ ENDS = (
             value=largest(EQUATION_9, "start error", "end error"),
         ),
         accepted=NONE,
+        in_words=True,
     ),
     _ends("cubic", EQUATION_4, "velocity", "rad/s", "section IV, Eqs. (2)-(4)"),
     _ends("quintic", EQUATION_9, "velocity", "rad/s", "section IV, Eqs. (6)-(9)"),
@@ -131,6 +135,7 @@ SHAPES = (
         printed=Printed("0", "rad/s^3"),
         measure=_bend(EQUATION_4, "cubic"),
         accepted=NONE,
+        in_words=True,
     ),
     Sentence(
         claim="the acceleration of the quintic is curved (its jerk varies more than the cubic's)",
@@ -138,6 +143,7 @@ SHAPES = (
         printed=Printed("2", "rank"),
         measure=Place(of=_bend(EQUATION_9, "quintic"), others=(_bend(EQUATION_4, "cubic"),)),
         accepted=Between(2, 2),
+        in_words=True,
     ),
     Sentence(
         claim="a polynomial is efficient on a well-defined path (read as: the coefficients of "
@@ -149,6 +155,7 @@ SHAPES = (
             value=largest(EQUATION_9, "rms error"),
         ),
         accepted=NONE,
+        in_words=True,
     ),
 )
 
@@ -172,6 +179,7 @@ SENSITIVE = Sentence(
     printed=Printed("1"),
     measure=PASSED_ON,
     accepted=Between(1.05, 100),
+    in_words=True,
 )
 
 
@@ -185,6 +193,7 @@ def _in_range(reading: str, measure: Callable[[], int]) -> Sentence:
             value=lambda: float(measure()),
         ),
         accepted=Between(0, 0),
+        in_words=True,
     )
 
 

@@ -60,6 +60,7 @@ def ahead(claim: str, where: str, best: Measure, *others: Measure) -> Sentence:
         printed=FIRST,
         measure=Place(of=best, others=others),
         accepted=Between(1, 1),
+        in_words=True,
     )
 
 
@@ -72,6 +73,7 @@ def follows(algorithm: str, of: Experiment, where: str) -> Sentence:
         printed=Printed("0", "rad"),
         measure=arm(algorithm, "rms error", of=of),
         accepted=FOLLOWED,
+        in_words=True,
     )
 
 
@@ -103,6 +105,7 @@ OVERALL = (
         printed=Printed("0", "rad"),
         measure=arm("WOA", "rms error", statistic="best"),
         accepted=Between(0, RESOLUTION),
+        in_words=True,
     ),
     follows("WOA", CUBIC_FIT, "abstract and section VI"),
     follows("WOA", FIT, "abstract and section VI"),
@@ -148,6 +151,7 @@ def _quality(ga: str, name: str) -> tuple[Sentence, ...]:
             printed=Printed("0", "%"),
             measure=Reduction(before=arm(ga, statistic="best"), after=arm("WOA", statistic="best")),
             accepted=Between(-10, 10),
+            in_words=True,
         ),
         follows(ga, FIT, "section V"),
     )
@@ -207,7 +211,7 @@ def _search(ga: str, name: str) -> tuple[Sentence, ...]:
         ),
         ahead(
             f"{name} gets off to a better start (read as: lower median norm after the first "
-            "iteration)",
+            "iteration, by which GA has evaluated its start and up to one child per agent)",
             fig_6,
             arm(ga, "cost after 1 iterations"),
             arm("WOA", "cost after 1 iterations"),
