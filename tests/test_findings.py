@@ -5,8 +5,9 @@ import numpy as np
 import pytest
 
 from repro.claims import Claim, Sentence
-from repro.findings import PROVISIONAL, Finding, judge_paper
-from repro.measures import Computed
+from repro.evidence import Evidence, Runs
+from repro.findings import FLIPS, PROVISIONAL, Finding, _finding, judge_paper
+from repro.measures import Computed, Statistic
 from repro.model import Gap, Paper
 from repro.published import Printed, PublishedTable
 from repro.verdict import Absolute, Between, Verdict
@@ -156,3 +157,23 @@ def test_finding_says_what_was_measured_and_what_was_accepted() -> None:
     assert first.measure == "mean cost of guess on bowl"
     assert first.tolerance == "within 25 % and the printed rounding"
     assert (ranked.measure, ranked.tolerance) == ("as it is", "exactly 1")
+
+
+def two_repeats(first: float, second: float) -> Finding:
+    statistic = Statistic(experiment="e", problem="p", algorithm="a", statistic="best")
+    claim = replace(sentence(Printed("1"), 1.0), measure=statistic)
+    empty = np.zeros((2, 4, 1))
+    costs = np.array([[first] * 4, [second] * 4])
+    runs = Runs(costs=costs, points=empty, histories=empty, evaluations=1)
+    return _finding(claim, Evidence(PAPER, {("e", "p", "a"): runs}))
+
+
+def test_verdict_that_flips_between_halves_of_the_repeats_is_undecided() -> None:
+    finding = two_repeats(1.0, 9.0)
+    assert finding.verdict is Verdict.UNDECIDED
+    assert finding.note == FLIPS
+
+
+def test_verdict_on_which_both_halves_agree_stands() -> None:
+    assert two_repeats(1.0, 1.1).verdict is Verdict.REPRODUCED
+    assert two_repeats(8.0, 9.0).verdict is Verdict.CONTRADICTED
