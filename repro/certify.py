@@ -1,17 +1,26 @@
 """Proved minima of the trajectory problems, and how far printed times lie from them."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
 
+from repro.certify_spline import NotProvedError, SplineProof, prove
 from repro.claims import CellClaim, Claim
 from repro.measures import Statistic
 from repro.model import Experiment, Paper
 from repro.published import UNITS
-from repro.robotics import MinimumTime, PathFitting
+from repro.robotics import MinimumTime, MinimumTimeSpline, PathFitting
 from repro.robotics.fastest import fastest_joints
 from repro.robotics.fixed_penalties import Cheapest, cheapest, unbounded
 from repro.robotics.rest_to_rest import DERIVATIVES
+
+GAP = 1e-4  # s: closer than this, a bound and a motion count as one minimum
+LINEAR_PROGRAMME = (
+    "linear programme: the velocity limits are linear in the durations, a rational combination of "
+    "them bounds the sum from below, and a motion lengthened by 1e-7 of its time is proved to keep "
+    "every limit by Bernstein coefficients in rational numbers"
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -62,7 +71,7 @@ def certify(paper: Paper) -> tuple[Certificate, ...]:
     motions = tuple(
         _certificate(paper, of, label, problem)
         for of, label, problem in (*as_run, *as_read)
-        if isinstance(problem, MinimumTime)
+        if isinstance(problem, MinimumTime | MinimumTimeSpline)
     )
     return motions + tuple(
         _path_fits(paper.key, experiment, fits)
@@ -94,8 +103,10 @@ def _path_fits(paper: str, experiment: Experiment, fits: list[PathFitting]) -> C
 
 
 def _certificate(
-    paper: Paper, of: tuple[str, str], label: str, problem: MinimumTime
+    paper: Paper, of: tuple[str, str], label: str, problem: MinimumTime | MinimumTimeSpline
 ) -> Certificate:
+    if isinstance(problem, MinimumTimeSpline):
+        return _spline(paper, of, label, problem)
     if problem.handling == "fixed penalties":
         least = cheapest(problem)
         if least.broken:
@@ -156,6 +167,64 @@ def _rest_to_rest(
         at=tuple(float(t) for t in at),
         binding=tuple(_binding(problem, k) for k in range(problem.segments)),
         printed=_printed(paper, of, total),
+    )
+
+
+def _spline(
+    paper: Paper, of: tuple[str, str], label: str, problem: MinimumTimeSpline
+) -> Certificate:
+    try:
+        proof = prove(problem)
+    except NotProvedError as error:
+        return _unproved(paper.key, label, str(error))
+    # the double below, so that rounding cannot lift the bound
+    lower, attained = math.nextafter(float(proof.lower_bound), 0.0), float(proof.attained)
+    minimum = attained if attained - lower <= GAP else None
+    return Certificate(
+        paper=paper.key,
+        problem=label,
+        minimum=minimum,
+        lower_bound=lower,
+        attained=attained,
+        method=LINEAR_PROGRAMME,
+        at=tuple(map(float, proof.durations)),
+        binding=_holding(problem, proof),
+        printed=_printed(paper, of, minimum) if minimum else (),
+        explanation=_accelerations(proof, minimum),
+    )
+
+
+def _unproved(paper: str, label: str, explanation: str) -> Certificate:
+    return Certificate(
+        paper=paper,
+        problem=label,
+        minimum=None,
+        lower_bound=None,
+        attained=None,
+        method=LINEAR_PROGRAMME,
+        at=(),
+        binding=(),
+        printed=(),
+        explanation=explanation,
+    )
+
+
+def _accelerations(proof: SplineProof, minimum: float | None) -> str:
+    share = f"{100 * proof.acceleration_share:.3g} % of its limit"
+    if minimum is not None:
+        return f"No acceleration exceeds {share}, so these limits play no part in the minimum."
+    return (
+        f"The minimum lies between {float(proof.lower_bound):.4f} s, which the velocity limits "
+        f"alone require, and {float(proof.attained):.4f} s, the shortest motion found that keeps "
+        f"the acceleration limits too (it reaches {share})."
+    )
+
+
+def _holding(problem: MinimumTimeSpline, proof: SplineProof) -> tuple[str, ...]:
+    return tuple(
+        f"segment {cut.span + 1}: velocity of joint {cut.joint + 1} (limit "
+        f"{problem.velocity[cut.joint]:g}) at {100 * float(cut.u):.3g} % of it"
+        for cut in sorted(proof.cuts, key=lambda cut: (cut.span, cut.u))
     )
 
 

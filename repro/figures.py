@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from repro.robotics import Convention, MinimumTime, PathFitting
+from repro.robotics import Convention, MinimumTime, MinimumTimeSpline, PathFitting
 from repro.robotics.kinematics import DHRow
 
 
@@ -57,4 +57,23 @@ class JointCurves:
     algorithms: tuple[str, ...] = ()
 
 
-Figure = Convergence | JointCurves | Motion | ToolPath
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SplineMotion:
+    """Some derivatives of some joints' angles over time, along a B-spline in time and angle.
+
+    Drawn with `durations` in s, with those of the shortest motion that each of `algorithms` finds
+    in the first repeat of `experiment`, and with those of the proved optimum. Joints count from 1;
+    derivative 0 is the angle, 3 the jerk.
+    """
+
+    label: str
+    caption: str
+    problem: MinimumTimeSpline
+    durations: tuple[float, ...]
+    experiment: str
+    algorithms: tuple[str, ...]
+    joints: tuple[int, ...]
+    derivatives: tuple[int, ...]
+
+
+Figure = Convergence | JointCurves | Motion | SplineMotion | ToolPath

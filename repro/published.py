@@ -26,10 +26,12 @@ UNITS = {
     "deg/s^3": math.pi / 180,
 }
 WORDS = "text"
+NOTHING = "–"  # how a declaration writes a cell or row heading that is empty on the page
 
 _DECIMAL = re.compile(
     r"(?P<digits>[-+]?\d+(?:\.(?P<decimals>\d+))?)"
     r"(?:\s*[×x]\s*10(?:\^(?P<power>[-+]?\d+))?|[eE](?P<e>[-+]?\d+))?"
+    r"(?:/[-+=])?"
 )
 _PI = re.compile(r"(?P<sign>-?)(?P<times>\d*)π(?:/(?P<over>[1-9]\d*))?")
 _HEADING = re.compile(r"(?P<name>[^\[\]]+?)\s*(?:\[(?P<unit>[^\]]*)\])?")
@@ -37,7 +39,10 @@ _HEADING = re.compile(r"(?P<name>[^\[\]]+?)\s*(?:\[(?P<unit>[^\]]*)\])?")
 
 @dataclass(frozen=True, slots=True)
 class Printed:
-    """A number as it stands on the page: the text is the datum, the value follows from it."""
+    """A number as it stands on the page: the text is the datum, the value follows from it.
+
+    A mark of significance may follow it after a slash, as in "0.002/+".
+    """
 
     text: str
     unit: str = ""
@@ -110,7 +115,8 @@ class PublishedTable:
 
         The first line says where it stands. The second has the headings, with units in brackets;
         `||` (or else the first `|`) parts the row headings from the values. A blank row heading
-        repeats the one above. Raises DeclarationError with the table, row and text at fault.
+        repeats the one above; a dash (–) stands for a cell or row heading that is empty on the
+        page. Raises DeclarationError with the table, row and text at fault.
         """
         where, heading, *body = _lines(page)
         label = where.partition(",")[0]
@@ -131,8 +137,9 @@ class PublishedTable:
             if not all(rows[-1]):
                 message = f"{label}, row {line!r}: a blank heading has none above it to repeat"
                 raise DeclarationError(message)
-            cells.append(_read_row(label, " ".join(rows[-1]), texts, columns))
-        _refuse_repeats(label, [" ".join(row) for row in rows])
+            rows[-1] = tuple("" if heading == NOTHING else heading for heading in rows[-1])
+            cells.append(_read_row(label, _name(rows[-1]), texts, columns))
+        _refuse_repeats(label, list(map(_name, rows)))
         _refuse_repeats(label, [column.name for column in columns])
         return cls(
             label=label,
@@ -146,7 +153,7 @@ class PublishedTable:
     @property
     def row_names(self) -> tuple[str, ...]:
         """Printed row headings, joined by a space, from top to bottom."""
-        return tuple(" ".join(row) for row in self.rows)
+        return tuple(map(_name, self.rows))
 
     @property
     def column_names(self) -> tuple[str, ...]:
@@ -189,6 +196,10 @@ def _lines(page: str) -> list[str]:
     return lines
 
 
+def _name(row: tuple[str, ...]) -> str:
+    return " ".join(filter(None, row))
+
+
 def _split(label: str, line: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
     left, bar, right = line.partition("||" if "||" in line else "|")
     if not bar:
@@ -214,13 +225,16 @@ def _read_row(
     label: str, row: str, texts: tuple[str, ...], columns: tuple[Column, ...]
 ) -> tuple[Printed | str, ...]:
     try:
-        return tuple(
-            text if column.unit == WORDS else Printed(text, column.unit)
-            for text, column in zip(texts, columns, strict=True)
-        )
+        return tuple(map(_cell, texts, columns))
     except DeclarationError as error:
         message = f"{label}, row {row!r}: {error}"
         raise DeclarationError(message) from None
+
+
+def _cell(text: str, column: Column) -> Printed | str:
+    if text == NOTHING:
+        return ""
+    return text if column.unit == WORDS else Printed(text, column.unit)
 
 
 def _unknown_unit(place: str, unit: str) -> str:

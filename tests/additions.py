@@ -1,6 +1,8 @@
 """The whale algorithm with each addition alone, and with all of them."""
 
-from repro.optimisers import HybridWOA
+from dataclasses import replace
+
+from repro.optimisers import HybridWOA, SlimeWOA
 
 ADDITIONS = (
     HybridWOA(start="tent"),
@@ -33,3 +35,35 @@ TOGETHER = HybridWOA(
     greedy=False,
     disturbance=0.3,
 )
+SLIME_PARTS = (
+    SlimeWOA(b=0.5),
+    SlimeWOA(control="arctanh"),
+    SlimeWOA(weight="of the whale"),
+    SlimeWOA(weight="of the leader"),
+    SlimeWOA(swing="per dimension"),
+    SlimeWOA(swing="per whale"),
+    SlimeWOA(coefficients="vector"),
+    SlimeWOA(shared_draw=True),
+    SlimeWOA(leader="per whale"),
+    SlimeWOA(spiral_range="symmetric"),
+    SlimeWOA(restart=0.2),
+)
+SLIME_TOGETHER = SlimeWOA(
+    b=0.7,
+    control="arctanh",
+    weight="of the whale",
+    swing="per dimension",
+    leader="per whale",
+    spiral_range="symmetric",
+    restart=0.1,
+)
+SLIME_DETAILS = (
+    replace(SLIME_TOGETHER, weights="per whale"),
+    replace(SLIME_TOGETHER, logarithm="natural"),
+    replace(SLIME_TOGETHER, weight="of the leader", leader="per dimension"),
+    replace(SLIME_TOGETHER, swing="per whale", weights="per whale", shared_draw=True),
+    replace(SLIME_TOGETHER, coefficients="vector"),
+    replace(SLIME_TOGETHER, coefficients="vector", shared_draw=True, leader="per dimension"),
+)
+SLIME = (*SLIME_PARTS, SLIME_TOGETHER, *SLIME_DETAILS)
+"""The slime mould whale with each part alone, with all, and with other readings of them."""

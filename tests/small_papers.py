@@ -138,7 +138,6 @@ def evidence(paper: Paper = PAPER, **costs: list[list[float]]) -> Evidence:
 MODULE = """
 import time
 from dataclasses import dataclass, replace
-from repro.optimisers.search import Result
 from tests.small_papers import EXPERIMENT, PAPER as SMALL, Guessing
 
 @dataclass(frozen=True)
@@ -147,7 +146,7 @@ class Slow(Guessing):
         time.sleep(0.05)
         return super(Slow, self).minimise(problem, **budget)
 
-SEARCH = replace(EXPERIMENT, algorithms={"guess": Slow(), "wide": Guessing(width=4.0)}, runs=30)
+SEARCH = replace(EXPERIMENT, algorithms={"guess": Slow(), "wide": Guessing(width=4.0)}, runs=20)
 PAPER = replace(SMALL, key="slow2021", experiments=(SEARCH,))
 """
-"""The text of a paper module, of 60 runs, half of them slow."""
+"""The text of a paper module, of 40 runs, half of them slow."""

@@ -10,13 +10,14 @@ from papers.liang2026 import PAPER
 from papers.liang2026.printed import TABLE_II
 from repro.audit import AuditRow, Grade, audit
 from repro.audit.extremes import narrowest, widest
-from repro.audit.spans import Span
+from repro.audit.spans import Span, span
 from repro.certify import certify
 from repro.functions import FUNCTIONS
 from repro.optimisers import GWO, WOA
 from repro.optimisers.search import Optimiser
+from repro.published import Printed
 from tests import doe2021
-from tests.summaries import audited, paper_of, printed_tables, samples, scientific, summary
+from tests.summaries import audited, fixed, paper_of, printed_tables, samples, scientific, summary
 
 LIANG = audit(PAPER)
 SPREAD_OUT = st.lists(st.floats(1.0, 1000.0), min_size=3, max_size=40).map(np.array)
@@ -96,6 +97,27 @@ def test_a_number_pushed_below_the_minimum_is_caught(sample: np.ndarray, name: s
     block = {each: scientific(value) for each, value in summary(sample).items()}
     block[name] = scientific(-summary(sample)[name])
     assert "below-minimum" in audited(block, n=len(sample))
+
+
+@given(value=st.floats(-1e4, 1e4), decimals=st.integers(0, 4), cut_off=st.booleans())
+def test_a_printed_number_spans_what_is_rounded_or_cut_off_to_it(
+    *, value: float, decimals: int, cut_off: bool
+) -> None:
+    around = span(Printed(fixed(value, decimals, cut_off=cut_off)))
+    assert around.low <= Fraction(value) <= around.high
+    assert around.high - around.low < Fraction(2001, 1000) / 10**decimals
+
+
+def test_what_doubles_flush_to_zero_is_not_held_against_a_table() -> None:
+    flushed = {"best": "0", "worst": "1.000×10^-310", "mean": "0", "std": "0"}
+    assert audited(flushed, n=2) == {}
+    assert "mean-bound" in audited({**flushed, "worst": "1.000×10^-300"}, n=2)
+
+
+def test_a_value_one_step_below_the_minimum_of_ackley_is_possible() -> None:
+    # where exp(1) is rounded up, the four terms can cancel to less than 0
+    assert audited({"best": scientific(-(2.0**-51))}, n=30, function="ackley") == {}
+    assert audited({"best": scientific(-(2.0**-40))}, n=30, function="ackley") != {}
 
 
 @given(samples())

@@ -8,12 +8,28 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from repro.errors import InputError
-from repro.optimisers import DBO, DE, GA, GSA, GWO, PSO, SMA, WOA, HybridWOA, Optimiser, Result
-from tests.additions import ADDITIONS, TOGETHER
+from repro.optimisers import (
+    DBO,
+    DE,
+    GA,
+    GSA,
+    GWO,
+    PSO,
+    SMA,
+    WOA,
+    HybridWOA,
+    Optimiser,
+    Result,
+    SlimeWOA,
+)
+from tests.additions import ADDITIONS, SLIME, SLIME_DETAILS, SLIME_PARTS, SLIME_TOGETHER, TOGETHER
 from tests.small_problems import OFF_CENTRE, Small, small
 
-EVERY = (WOA(), GWO(), PSO(), DBO(), SMA(), GSA(), GSA(bounds="clip"), DE(), GA(), TOGETHER)
-HOLDING = (*(o for o in EVERY if o != PSO()), *ADDITIONS, PSO(clip="every particle"))
+EVERY = (
+    *(WOA(), GWO(), PSO(), DBO(), SMA(), GSA(), GSA(bounds="clip"), DE(), GA()),
+    *(TOGETHER, SLIME_TOGETHER),
+)
+HOLDING = (*(o for o in EVERY if o != PSO()), *ADDITIONS, *SLIME, PSO(clip="every particle"))
 
 each_optimiser = pytest.mark.parametrize("optimiser", EVERY, ids=lambda o: repr(o)[:30])
 
@@ -127,8 +143,27 @@ def test_whales_without_additions_are_the_whale_algorithm(name: str, seed: int) 
     assert hybrid.evaluations == plain.evaluations
 
 
-@pytest.mark.parametrize("addition", ADDITIONS, ids=repr)
-def test_each_addition_alone_changes_the_run(addition: HybridWOA) -> None:
+@pytest.mark.parametrize("seed", range(5))
+@pytest.mark.parametrize("name", ["rosenbrock", "steps", "slope"])
+def test_slime_whales_without_parts_are_the_whale_algorithm(name: str, seed: int) -> None:
+    plain = run(WOA(), small(name), seed=seed, iterations=30)
+    slime = run(SlimeWOA(), small(name), seed=seed, iterations=30)
+
+    assert slime.history.tolist() == plain.history.tolist()
+    assert slime.x.tolist() == plain.x.tolist()
+    assert slime.evaluations == plain.evaluations
+
+
+@pytest.mark.parametrize("reading", SLIME_DETAILS, ids=repr)
+def test_each_reading_of_the_slime_parts_changes_the_run(reading: SlimeWOA) -> None:
+    before = run(SLIME_TOGETHER, small("rosenbrock"), iterations=20)
+    after = run(reading, small("rosenbrock"), iterations=20)
+
+    assert after.history.tolist() != before.history.tolist()
+
+
+@pytest.mark.parametrize("addition", [*ADDITIONS, *SLIME_PARTS], ids=repr)
+def test_each_addition_alone_changes_the_run(addition: Optimiser) -> None:
     plain = run(HybridWOA(), small("rosenbrock"), iterations=20)
 
     changed = run(addition, small("rosenbrock"), iterations=20)
@@ -221,6 +256,7 @@ def test_impossible_bounds_are_refused(box: Sequence[Any]) -> None:
         (HybridWOA, "crossover", 2.0),
         (DBO, "producers", 1.1),
         (SMA, "restart", 1.1),
+        (SlimeWOA, "restart", -0.1),
         (GSA, "final_percent", 101.0),
         (GSA, "bounds", "reflect"),
         (DE, "crossover", -0.1),

@@ -1,6 +1,6 @@
 import importlib
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -17,16 +17,29 @@ from tests.small_papers import EXPERIMENT, PAPER, Bowl, Guessing, searching
 from tests.test_sources import forget
 
 KERNEL = """
+def slope(x, data):
+    return float(x.sum())
+"""
+PROBLEM = f"""
 from tests.small_papers import Bowl
-
+{KERNEL}
 class Slope(Bowl):
     @property
     def kernel(self):
         return slope
-
-def slope(x, data):
-    return float(x.sum())
 """
+
+
+@dataclass(frozen=True)
+class Lent(Bowl):
+    """A problem whose kernel comes from another module."""
+
+    module: Any = None
+
+    @property
+    def kernel(self) -> Any:  # noqa: ANN401 (as in the protocol)
+        """The cost."""
+        return self.module.slope
 
 
 def with_experiment(**changes: Any) -> Paper:  # noqa: ANN401 (fields of several types)
@@ -122,22 +135,25 @@ def slope_keys(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Any]
         (tmp_path / "borrowed_slope.py").write_text(text, encoding="utf-8")
         forget()
         module = importlib.reload(importlib.import_module("borrowed_slope"))
-        return keys(with_experiment(problems={"slope": module.Slope()}))
+        problem = module.Slope() if "Slope" in text else Lent(module=module)
+        return keys(with_experiment(problems={"slope": problem}))
 
     yield found
     forget()
 
 
-def test_change_in_the_code_of_a_problem_changes_its_keys(slope_keys: Any) -> None:  # noqa: ANN401
-    before = slope_keys(KERNEL)
+@pytest.mark.parametrize("text", [KERNEL, PROBLEM], ids=["kernel", "problem"])
+def test_change_in_the_code_of_a_problem_changes_its_keys(slope_keys: Any, text: str) -> None:  # noqa: ANN401
+    before = slope_keys(text)
 
-    assert not before.items() & slope_keys(KERNEL.replace("x.sum()", "-x.sum()")).items()
+    assert not before.items() & slope_keys(text.replace("x.sum()", "-x.sum()")).items()
 
 
-def test_change_of_words_in_the_code_of_a_problem_changes_no_key(slope_keys: Any) -> None:  # noqa: ANN401
-    before = slope_keys(KERNEL)
+@pytest.mark.parametrize("text", [KERNEL, PROBLEM], ids=["kernel", "problem"])
+def test_change_of_words_about_a_problem_changes_no_key(slope_keys: Any, text: str) -> None:  # noqa: ANN401
+    before = slope_keys(text)
 
-    assert slope_keys('"""A slope."""\n' + KERNEL + "# the end\n") == before
+    assert slope_keys('"""A slope."""\n' + text + "# the end\n") == before
 
 
 def test_change_of_texts_in_a_paper_changes_no_key() -> None:

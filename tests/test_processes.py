@@ -24,7 +24,7 @@ PROGRAM = """
 
 @pytest.fixture
 def slow(tmp_path: Path) -> tuple[str, ...]:
-    """Return the command that knows one more paper, of 60 runs, half of them slow."""
+    """Return the command that knows one more paper, of 40 runs, half of them slow."""
     (tmp_path / "papers").mkdir()
     (tmp_path / "papers" / "slow2021.py").write_text(MODULE, encoding="utf-8")
     places = ("--store", str(tmp_path / "store"), "--reports", str(tmp_path / "reports"))
@@ -40,27 +40,47 @@ def runs_in(store: Path) -> int:
         return int(database.execute("select count(*) from run").fetchone()[0]) if tables else 0
 
 
+def stopped(command: tuple[str, ...], store: Path, by: signal.Signals) -> tuple[int, str]:
+    """Stop a command when three of its runs are stored; return exit code and error output."""
+    with subprocess.Popen(command, cwd=ROOT, stderr=subprocess.PIPE, text=True) as process:
+        limit = time.monotonic() + 60
+        while runs_in(store) < 3 and time.monotonic() < limit:
+            time.sleep(0.02)
+        process.send_signal(by)
+        _, err = process.communicate(timeout=30)
+    return process.returncode, err
+
+
 def test_interrupted_command_exits_with_130_and_a_later_call_goes_on(
     slow: tuple[str, ...], tmp_path: Path
 ) -> None:
-    with subprocess.Popen(slow, cwd=ROOT, stderr=subprocess.PIPE, text=True) as process:
-        limit = time.monotonic() + 60
-        while runs_in(tmp_path / "store") < 3 and time.monotonic() < limit:
-            time.sleep(0.02)
-        process.send_signal(signal.SIGINT)
-        _, err = process.communicate(timeout=30)
+    code, err = stopped(slow, tmp_path / "store", signal.SIGINT)
     kept = runs_in(tmp_path / "store")
-
-    assert process.returncode == 130
-    assert err.endswith("repro: interrupted; finished runs are kept, the same call goes on\n")
-    assert "Traceback" not in err
-    assert 3 <= kept < 60
 
     done = subprocess.run(slow, cwd=ROOT, capture_output=True, text=True, timeout=60, check=False)
 
+    assert code == 130
+    assert err.endswith("repro: interrupted; finished runs are kept, the same call goes on\n")
+    assert "Traceback" not in err
+    assert 3 <= kept < 40
     assert done.returncode == 0
-    assert f"{60 - kept}/{60 - kept} runs (100 %)" in done.stderr
+    assert f"{40 - kept}/{40 - kept} runs (100 %)" in done.stderr
     assert (tmp_path / "reports" / "slow2021.html").exists()
+
+
+def test_killed_command_loses_no_stored_run_and_leaves_the_store_unlocked(
+    slow: tuple[str, ...], tmp_path: Path
+) -> None:
+    code, _ = stopped(slow, tmp_path / "store", signal.SIGKILL)
+    kept = runs_in(tmp_path / "store")
+
+    done = subprocess.run(slow, cwd=ROOT, capture_output=True, text=True, timeout=60, check=False)
+
+    assert code == -signal.SIGKILL
+    assert 3 <= kept < 40
+    assert done.returncode == 0
+    assert f"{40 - kept}/{40 - kept} runs (100 %)" in done.stderr
+    assert runs_in(tmp_path / "store") == 40
 
 
 def test_list_loads_nothing_that_it_does_not_need(tmp_path: Path) -> None:

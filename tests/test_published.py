@@ -189,6 +189,28 @@ def test_words_are_no_numbers() -> None:
         table["1", "angle"]
 
 
+def test_mark_of_significance_after_a_slash_does_not_change_the_number() -> None:
+    assert Printed("8.24×10^-6/+").value == 8.24e-6
+    assert Printed("0.002/=").rounding == 0.0005
+    with pytest.raises(DeclarationError, match="is not a number"):
+        Printed("0.002/p")
+
+
+def test_dash_is_an_empty_cell_or_heading() -> None:
+    table = PublishedTable.read("""
+        Table 3, p. 7
+        No. | Index || WOA | GA
+        F1  | Mean  || 1   | 2
+        p   | –     || –   | 0.03
+    """)
+
+    assert table.row_names == ("F1 Mean", "p")
+    assert table.rows[1] == ("p", "")
+    assert list(table.places()) == [("F1 Mean", "WOA"), ("F1 Mean", "GA"), ("p", "GA")]
+    with pytest.raises(DeclarationError, match="row 'p', column 'WOA': '' is not a number"):
+        table["p", "WOA"]
+
+
 NUMBERS = st.decimals(allow_nan=False, allow_infinity=False, places=3).map(str)
 
 

@@ -98,13 +98,13 @@ def test_every_lost_changed_or_exchanged_digit_is_found_again(
 
 
 def test_a_percentage_that_fits_another_pair_of_the_column_names_it() -> None:
-    cell = {row: TableCell(table=TIMES, row=row, column="second") for row in TIMES.row_names}
+    cell = {row: TableCell(table=TIMES, row=row, column="first") for row in TIMES.row_names}
     total = {row: TableCell(table=TIMES, row=row, column="total") for row in TIMES.row_names}
     fits = PercentLower(printed=text("25", "%"), before=total["slow"], after=total["quick"])
-    wrong = PercentLower(printed=text("24", "%"), before=cell["quick"], after=cell["slow"])
+    wrong = PercentLower(printed=text("26", "%"), before=cell["quick"], after=cell["slow"])
     (row,) = rows_of(fits, wrong)
     assert (row.check, row.grade) == ("percentage", Grade.INCONSISTENT)
-    assert "(3.75 − 2.85)/3.75 = 24 % from slow to quick" in row.explanation
+    assert "(4.25 − 3.150)/4.25 = 25.882 % from slow to quick" in row.explanation
 
 
 @given(st.lists(st.lists(st.integers(0, 9), min_size=4, max_size=4), min_size=1, max_size=15))
@@ -123,14 +123,14 @@ def test_two_cells_that_changed_places_are_found_from_the_average_ranks() -> Non
     table = table_of(
         "F || A | B | C | D",
         """F0      || 1   | 2   | 3   | 4
-           F1      || 5   | 1   | 7   | 9
+           F1      || 7   | 5   | 1   | 9
            F2      || 2   | 4   | 6   | 8
            average || 1.0 | 2.0 | 3.0 | 4.0
            total   || 1   | 3   | 2   | 4""",
     )
     ranks, *totals = rows_of(_average_rank(table, ("F0", "F1", "F2")))
     assert (ranks.check, len(ranks.cells)) == ("average-rank", 2)
-    assert ranks.explanation.endswith("the cells of A and B in F1 change places")
+    assert ranks.explanation.endswith("the cells of A and C in F1 change places")
     assert [row.cells[0]["column"] for row in totals] == ["B", "C"]
 
 
@@ -228,13 +228,13 @@ def test_a_rank_in_the_text_is_inconsistent_only_where_the_table_forbids_it() ->
     blocks = {"A": {"mean": "2.00", "std": "0.50"}, "B": {"mean": "2.0", "std": "0.40"}}
     claims = [
         Sentence(
-            claim=f"A has the lowest {name}",
+            claim=f"A has place {rank} by its {name}",
             where="section 9",
-            printed=Printed("1", "rank"),
+            printed=Printed(rank, "rank"),
             measure=Rank(of=_statistic(name), among=("A", "B")),
             accepted=Absolute(0),
         )
-        for name in ("mean", "std")
+        for name, rank in (("mean", "1"), ("mean", "2"), ("std", "1"), ("std", "2"))
     ]
     (row,) = audit(paper_of(blocks, n=30, claims=claims))
     assert row.check == "rank-in-text"

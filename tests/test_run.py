@@ -132,6 +132,20 @@ def test_few_tasks_are_handed_out_at_a_time() -> None:
     assert max(waiting) <= 2 * run.IN_FLIGHT
 
 
+def test_every_finished_task_makes_room_for_another() -> None:
+    class AtOnce(ThreadPoolExecutor):
+        def submit(self, *args: Any, **_: Any) -> Future[Any]:  # noqa: ANN401
+            future: Future[Any] = super().submit(*args)
+            wait([future])
+            return future
+
+    batches: list[int] = []
+    with AtOnce(2) as executor:
+        run_all(TASKS[:50], executor, 2, lambda records: batches.append(len(records)))
+
+    assert batches == [8] * 6 + [2]
+
+
 @dataclass(frozen=True)
 class Watched:
     """A search that counts its runs and can be held back."""

@@ -18,6 +18,10 @@ COSTS = st.lists(st.floats(0.0, 1e6), min_size=2, max_size=12)
 SAMPLE = st.lists(st.integers(0, 6), min_size=1, max_size=9)
 
 
+def test_single_value_is_the_first_of_each_table() -> None:
+    assert STATISTICS["single"](np.array([[3.0, 1.0], [2.0, 9.0]])).tolist() == [3.0, 2.0]
+
+
 @pytest.mark.parametrize("n", [3, 10, 30, 50])
 @pytest.mark.parametrize("value", [1.1, 0.1, 4.440892098500626e-16, 7e-290, 1e300, 0.0, -3.3])
 def test_equal_values_have_themselves_as_mean_and_no_spread(value: float, n: int) -> None:

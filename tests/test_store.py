@@ -105,6 +105,8 @@ def test_failed_run_is_kept_with_its_reason_and_tried_again(tmp_path: Path) -> N
         store.add([replace(RECORDS[0], task=tasks[0])])
         (found,) = store.records(tasks)
         assert (found.reason, found.cost) == (None, RECORDS[0].cost)
+    with closing(sqlite3.connect(tmp_path / "runs.sqlite")) as database:
+        assert database.execute("select count(*) from curve").fetchone() == (1,)
 
 
 def test_run_under_another_key_is_missing(folder: Path) -> None:

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from repro.draws import normal, state_from, uniform
-from repro.optimisers import DBO, DE, GA, GSA, GWO, PSO, SMA, WOA, HybridWOA
+from repro.optimisers import DBO, DE, GA, GSA, GWO, PSO, SMA, WOA, HybridWOA, SlimeWOA
 from repro.optimisers.slime_mould import _weigh
-from tests.additions import ADDITIONS, TOGETHER
+from tests.additions import ADDITIONS, SLIME, TOGETHER
 from tests.small_problems import OFF_CENTRE, small
 from tests.twins.differential_evolution import differential_evolution
 from tests.twins.dung_beetle import dung_beetle
@@ -18,9 +18,10 @@ from tests.twins.grey_wolf import grey_wolf
 from tests.twins.hybrid_whale import hybrid_whale
 from tests.twins.particle_swarm import particle_swarm
 from tests.twins.slime_mould import _weights, slime_mould
+from tests.twins.slime_whale import slime_whale
 from tests.twins.whale import whale
 
-AnyOptimiser = DBO | DE | GA | GSA | GWO | HybridWOA | PSO | SMA | WOA
+AnyOptimiser = DBO | DE | GA | GSA | GWO | HybridWOA | PSO | SMA | SlimeWOA | WOA
 Box = tuple[tuple[float, float], ...]
 Outcome = tuple[list[float], float, list[float], int]
 
@@ -35,6 +36,7 @@ TWINS: dict[type[AnyOptimiser], Callable[..., Outcome]] = {
     HybridWOA: hybrid_whale,
     PSO: particle_swarm,
     SMA: slime_mould,
+    SlimeWOA: slime_whale,
     WOA: whale,
 }
 
@@ -45,6 +47,7 @@ SWITCHED: tuple[AnyOptimiser, ...] = (
     replace(TOGETHER, leader="per dimension", probability_selects="encircling"),
     HybridWOA(differential=0.4, scale=0.9, crossover=0.3, greedy=False),
     HybridWOA(genetic=0.3, mutation=0.2, greedy=False),
+    *SLIME,
     WOA(b=0.5),
     PSO(clip="every particle"),
     PSO(maximum_velocity=0.5, inertia=(0.7, 0.4), cognitive=1.5, social=1.2),

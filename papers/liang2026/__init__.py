@@ -177,14 +177,14 @@ SENTENCES = (
     Sentence(
         claim="IWOA cuts the total time from 10 s to 4.69 s",
         where="section VI",
-        printed=Printed("4.69", "s"),
+        printed=TABLE_VI["IWOA", "Total Time t"],
         measure=total_time("IWOA"),
         accepted=Percent(1),
     ),
     Sentence(
         claim="WOA reaches a total time of 5.74 s",
         where="section VI",
-        printed=Printed("5.74", "s"),
+        printed=TABLE_VI["WOA", "Total Time t"],
         measure=total_time("WOA"),
         accepted=Percent(1),
     ),

@@ -87,4 +87,4 @@ class BenchmarkProblem:
     @property
     def identity(self) -> tuple[object, ...]:
         """What the cost depends on besides source code."""
-        return (self.function.name, self.dimension)
+        return (self.function.name, self.dimension, self.function.box)

@@ -9,6 +9,7 @@ from repro.optimisers.hybrid_whale import HybridWOA
 from repro.optimisers.particle_swarm import PSO
 from repro.optimisers.search import Optimiser, Problem, Result
 from repro.optimisers.slime_mould import SMA
+from repro.optimisers.slime_whale import SlimeWOA
 from repro.optimisers.steady_state_genetic import SteadyStateGA
 from repro.optimisers.whale import WOA
 
@@ -25,5 +26,6 @@ __all__ = [
     "Optimiser",
     "Problem",
     "Result",
+    "SlimeWOA",
     "SteadyStateGA",
 ]

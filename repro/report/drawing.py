@@ -3,10 +3,11 @@
 from dataclasses import dataclass
 
 from repro.evidence import Evidence
-from repro.figures import Convergence, Figure, JointCurves, Motion
+from repro.figures import Convergence, Figure, JointCurves, Motion, SplineMotion
 from repro.report.convergence import HEADINGS, convergence_plot
 from repro.report.fit_drawing import joint_curves_plot
 from repro.report.motion import motion_plot
+from repro.report.spline_drawing import spline_plot
 from repro.report.style import Plot, Rows, drawing_style, empty
 from repro.report.svg import inline_svg
 from repro.report.tool_path import tool_path_plot
@@ -49,6 +50,8 @@ def _plot(figure: Figure, evidence: Evidence) -> Plot:
         return convergence_plot(figure, evidence) or _nothing()
     if isinstance(figure, Motion):
         return motion_plot(figure, evidence)
+    if isinstance(figure, SplineMotion):
+        return spline_plot(figure, evidence)
     if isinstance(figure, JointCurves):
         return joint_curves_plot(figure, evidence)
     return tool_path_plot(figure)

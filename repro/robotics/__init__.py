@@ -5,10 +5,12 @@ from repro.robotics.kinematics import Convention, dh_rows, forward_kinematics
 from repro.robotics.path_fitting import PathFitting
 from repro.robotics.polynomials import RestToRestLaw, cubic, quintic, septic
 from repro.robotics.rest_to_rest import MinimumTime, peak
+from repro.robotics.spline_motion import MinimumTimeSpline
 
 __all__ = [
     "Convention",
     "MinimumTime",
+    "MinimumTimeSpline",
     "PathFitting",
     "RestToRestLaw",
     "cubic",

@@ -1,4 +1,4 @@
-"""The four statistics that tables of runs print, along the last axis of an array.
+"""The statistics that tables of runs print, along the last axis of an array.
 
 Costs of 1e-200 are common, and their squares underflow; so spread is computed on values scaled by
 a power of two, which is exact.
@@ -36,6 +36,11 @@ def standard_deviation(costs: Vector) -> Vector:
     return _where_equal(costs, np.zeros(costs.shape[:-1]), spread)
 
 
+def single(costs: Vector) -> Vector:
+    """Return the first value: what a paper prints that ran once."""
+    return np.asarray(costs[..., 0])
+
+
 def _scaled(costs: Vector) -> tuple[Vector, NDArray[np.int32]]:
     exponent = np.frexp(np.abs(costs).max(axis=-1))[1]
     return np.ldexp(costs, -exponent[..., None]), exponent
@@ -47,6 +52,6 @@ def _where_equal(costs: Vector, then: Vector, otherwise: Vector) -> Vector:
 
 
 STATISTICS: Mapping[str, Callable[[Vector], Vector]] = MappingProxyType(
-    {"best": best, "worst": worst, "mean": mean, "std": standard_deviation}
+    {"best": best, "worst": worst, "mean": mean, "std": standard_deviation, "single": single}
 )
 """By the name under which papers print them."""

@@ -29,10 +29,7 @@ def gravitational(
     history: list[float] = []
     evaluations = 0
     for t in range(1, iterations + 1):
-        if bounds == "clip":
-            x = [_clipped(row, box) for row in x]
-        else:
-            x = [_restarted(row, box, uniform) for row in x]
+        x = [_clipped(r, box) if bounds == "clip" else _restarted(r, box, uniform) for r in x]
         costs = [cost(row) for row in x]
         evaluations += population
         for row, f in zip(x, costs, strict=True):

@@ -1,0 +1,58 @@
+"""Polynomials with rational coefficients, and the proof that one is positive on [0, 1].
+
+A polynomial is given by its coefficients of 1, u, u², …. Its Bernstein coefficients bound it (R. T.
+Farouki, Computer Aided Geometric Design 29 (2012) 379-419, doi:10.1016/j.cagd.2012.03.001): where
+all are positive, so is the polynomial.
+"""
+
+import math
+from collections.abc import Sequence
+from fractions import Fraction
+from itertools import pairwise
+
+Polynomial = Sequence[Fraction]
+HALVINGS = 40  # of an interval whose Bernstein coefficients do not decide
+
+
+def derivative(p: Polynomial) -> list[Fraction]:
+    """Return the coefficients of p'."""
+    return [k * entry for k, entry in enumerate(p)][1:]
+
+
+def product(p: Polynomial, q: Polynomial) -> list[Fraction]:
+    """Return the coefficients of p·q."""
+    total = [Fraction(0)] * (len(p) + len(q) - 1)
+    for i, a in enumerate(p):
+        for j, b in enumerate(q):
+            total[i + j] += a * b
+    return total
+
+
+def difference(p: Polynomial, q: Polynomial) -> list[Fraction]:
+    """Return the coefficients of p - q."""
+    size = max(len(p), len(q))
+    padded = ([*r, *[Fraction(0)] * (size - len(r))] for r in (p, q))
+    return [a - b for a, b in zip(*padded, strict=True)]
+
+
+def positive(p: Polynomial) -> bool:
+    """Return whether p is proved positive on [0, 1]; one that touches 0 is not."""
+    n = len(p) - 1
+    bernstein = [
+        sum((Fraction(math.comb(i, k), math.comb(n, k)) * p[k] for k in range(i + 1)), Fraction(0))
+        for i in range(n + 1)
+    ]
+    return _positive(bernstein, HALVINGS)
+
+
+def _positive(bernstein: list[Fraction], halvings: int) -> bool:
+    if min(bernstein) > 0:
+        return True
+    if halvings == 0 or bernstein[0] <= 0 or bernstein[-1] <= 0:
+        return False
+    left, right = [bernstein[0]], [bernstein[-1]]
+    while len(bernstein) > 1:  # de Casteljau's scheme at 1/2
+        bernstein = [(a + b) / 2 for a, b in pairwise(bernstein)]
+        left.append(bernstein[0])
+        right.append(bernstein[-1])
+    return _positive(left, halvings - 1) and _positive(right[::-1], halvings - 1)
