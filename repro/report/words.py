@@ -33,7 +33,8 @@ def number(value: float | None, digits: int = 4) -> str:
     if abs(value) < 1e5 and value == int(value):
         return f"{value:.0f}"
     if 1e-3 <= abs(value) < 1e5:
-        return f"{value:#.{digits}g}".rstrip(".")
+        whole = abs(value) >= 10**digits
+        return f"{value:.0f}" if whole else f"{value:#.{digits}g}".rstrip(".")
     mantissa, _, power = f"{value:.{digits - 1}e}".partition("e")
     return f"{mantissa}×10^{int(power)}"
 
