@@ -5,7 +5,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.stats import mannwhitneyu, rankdata
 
 from repro.claims import Sentence
 from repro.evidence import Cell, Evidence
@@ -59,6 +58,8 @@ class Contest:
 
     def ranks(self, evidence: Evidence) -> tuple[Vector, int]:
         """Return ranks (problems, algorithms, 1 + tables), the first repeat first, and repeats."""
+        from scipy.stats import rankdata  # noqa: PLC0415 (slow to load)
+
         ranked, repeats = [], []
         for problem in self.problems:
             found = [statistic.measure(evidence) for statistic in self.statistics(problem)]
@@ -114,6 +115,8 @@ class Place:
 
     def measure(self, evidence: Evidence) -> Measured:
         """Return the place in the first repeat and in resampled tables."""
+        from scipy.stats import rankdata  # noqa: PLC0415 (slow to load)
+
         ranks, repeats = self.contest.ranks(evidence)
         # sums of ranks are exact, so that equal ones tie; their means may differ in the last bit
         places = rankdata(ranks.sum(axis=0), axis=0, method="min")
@@ -221,6 +224,8 @@ def _measured(values: Vector, repeats: int) -> Measured:
 
 def _test(x: Vector, y: Vector) -> tuple[Vector, NDArray[np.bool_]]:
     """Return two-sided p-values, row by row, and whether x ranks lower than y."""
+    from scipy.stats import mannwhitneyu  # noqa: PLC0415 (slow to load)
+
     with np.errstate(invalid="ignore", divide="ignore"):
         found = mannwhitneyu(x, y, method="asymptotic", axis=-1)
     # two samples of one and the same value are not different
