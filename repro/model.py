@@ -92,7 +92,8 @@ class Paper:
 
     `inputs` are printed tables that the re-run starts from, `results` those whose every cell is
     claimed; `relations` say what printed numbers must be to each other; `readings` are motion
-    problems as the paper may also be read; `summary` says in one sentence what the paper reports.
+    problems as the paper may also be read; `summary` says in one sentence what the paper reports;
+    `read_twice` that its tables were transcribed a second time, blind, and agree.
     """
 
     key: str
@@ -108,6 +109,7 @@ class Paper:
     figures: tuple["Figure", ...] = ()
     relations: tuple["Relation", ...] = ()
     readings: tuple[Reading, ...] = ()
+    read_twice: bool = False
 
     def __post_init__(self) -> None:
         """Raise DeclarationError where parts of the declaration do not fit together."""

@@ -129,6 +129,14 @@ def test_one_repeat_is_called_provisional(tmp_path: Path) -> None:
     assert "Provisional" in pages["doe2021.md"]
 
 
+def test_a_paper_whose_tables_were_read_once_is_called_provisional(tmp_path: Path) -> None:
+    twice = pages_of(tmp_path / "twice", replace(PAPER, read_twice=True))
+    once = pages_of(tmp_path / "once")
+    for name in ("doe2021.html", "doe2021.md"):
+        assert "transcribed once only" in once[name]
+        assert "transcribed once only" not in twice[name]
+
+
 def test_pages_of_other_papers_stay_in_the_index(tmp_path: Path) -> None:
     pages_of(tmp_path)
     other = replace(PAPER, key="roe2022")

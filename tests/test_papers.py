@@ -127,6 +127,11 @@ def test_proposed_algorithm_is_one_that_is_run(paper: Paper) -> None:
     assert [e.name for e in paper.experiments if e.proposed not in e.algorithms] == []
 
 
+@each_paper
+def test_paper_says_truly_whether_its_tables_were_read_twice(paper: Paper) -> None:
+    assert paper.read_twice == (SECOND_READING / paper.key).is_dir()
+
+
 @pytest.mark.parametrize(("key", "name"), TABLES)
 def test_table_is_the_second_reading_cell_by_cell(key: str, name: str) -> None:
     table = TABLES[key, name]

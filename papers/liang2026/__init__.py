@@ -3,6 +3,7 @@
 from dataclasses import replace
 from functools import partial
 
+from papers.liang2026.experiments import BENCHMARK, DH, FANUC, IWOA, MOTION
 from papers.liang2026.open_points import (
     ASSUMPTIONS,
     ERRATA,
@@ -11,7 +12,6 @@ from papers.liang2026.open_points import (
     TOOL_ERROR,
 )
 from papers.liang2026.printed import (
-    ACCELERATION,
     BASELINE,
     TABLE_II,
     TABLE_III,
@@ -19,72 +19,19 @@ from papers.liang2026.printed import (
     TABLE_V,
     TABLE_VI,
     TIME_SAVED,
-    VELOCITY,
 )
 from papers.liang2026.relations import RELATIONS
 from repro.claims import Sentence, computed_cells, every_cell, lowest_everywhere
 from repro.figures import Convergence, Motion, ToolPath
-from repro.functions import FUNCTIONS
 from repro.measures import Computed, Reduction, Statistic
-from repro.model import Experiment, Paper, Source
-from repro.optimisers import DBO, GWO, PSO, WOA, HybridWOA
+from repro.model import Paper, Source
 from repro.published import Printed
-from repro.robotics import MinimumTime, dh_rows, peak, quintic
+from repro.robotics import peak
 from repro.robotics.kinematics import tool_coordinate
 from repro.verdict import ZERO_STD, Absolute, Between, Fitness, Percent
 
-IWOA = HybridWOA(
-    start="tent",  # Eq. (13)
-    control="quadratic",  # Eq. (14)
-    spiral=(2.5, 1.0),  # Eq. (15)
-    probability="cosine",  # Eq. (16)
-    leader="per whale",  # Eqs. (11)-(12)
-    spiral_range="symmetric",  # Eq. (10)
-    differential=0.5,  # Eqs. (17)-(18), step 5
-    scale=0.5,
-    crossover=0.9,
-    genetic=0.5,  # Eq. (19), step 6
-    mutation=0.01,
-    disturbance=0.01,  # section III-B 1)
-)
+__all__ = ["FANUC", "IWOA", "PAPER"]
 
-BENCHMARK = Experiment(
-    name="benchmark",
-    where="section III-D",
-    proposed="IWOA",
-    problems={
-        "F1": FUNCTIONS["sphere"].problem(40),
-        "F5": FUNCTIONS["rosenbrock"].problem(40),
-        "F10": FUNCTIONS["ackley"].problem(40),
-        "F12": FUNCTIONS["penalized_1"].problem(40),
-    },
-    algorithms={"IWOA": IWOA, "WOA": WOA(), "GWO": GWO(), "PSO": PSO(), "DBO": DBO()},
-    population=50,
-    iterations=500,
-    runs=30,
-)
-FANUC = MinimumTime(
-    waypoints=tuple(TABLE_V.column(name) for name in TABLE_V.column_names),
-    law=quintic,  # Eqs. (1)-(4)
-    velocity=(VELOCITY.si,) * 6,
-    acceleration=(ACCELERATION.si,) * 6,
-    durations=(0.1, 5.0),
-)
-MOTION = Experiment(
-    name="motion",
-    where="section IV-C",
-    proposed="IWOA",
-    problems={"FANUC": FANUC},
-    algorithms={"WOA": WOA(), "IWOA": IWOA},
-    population=30,
-    iterations=300,
-    runs=50,
-)
-DH = dh_rows(
-    a=TABLE_III.column("a_{i-1}"),
-    alpha=TABLE_III.column("α_{i-1}"),
-    d=TABLE_III.column("d_i"),
-)
 BASELINE_SECONDS = tuple(duration.si for duration in BASELINE)
 
 
@@ -225,6 +172,7 @@ SENTENCES = (
 
 PAPER = Paper(
     key="liang2026",
+    read_twice=True,
     source=Source(
         authors="Caiping Liang, Hao Yuan, Chen Wang, Wenzu Niu, Yansong Zhang",
         title="Trajectory Planning of Shipbuilding Welding Manipulator Based on Improved Whale "

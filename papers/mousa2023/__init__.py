@@ -10,6 +10,7 @@ from repro.model import Paper, Source
 
 PAPER = Paper(
     key="mousa2023",
+    read_twice=True,
     source=Source(
         authors="Mahmoud A. A. Mousa, Abdelrahman T. Elgohr, Hatem A. Khater",
         title="Path Planning for a 6 DoF Robotic Arm Based on Whale Optimization Algorithm and "

@@ -60,6 +60,7 @@ def summary(row: Summary, within: Tolerance) -> tuple[CellClaim, ...]:
 
 PAPER = Paper(
     key="smwoa2022",
+    read_twice=True,
     source=Source(
         authors="authors not on the copy",
         title="Joints Trajectory Planning of Robot Based on Slime Mould Whale Optimization "

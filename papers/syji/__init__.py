@@ -45,6 +45,7 @@ def _greatest(problem: MinimumTime, derivative: int, joint: int) -> float:
 
 PAPER = Paper(
     key="syji",
+    read_twice=True,
     source=Source(
         authors="authors not on the copy",
         title="Seventh-order polynomial interpolation and whale optimization for the SYJI-0035 "

@@ -10,12 +10,13 @@ from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescap
 from markupsafe import Markup
 
 from repro.audit import audit
-from repro.certify import Certificate, certify
+from repro.certify import certify
 from repro.errors import InputError
 from repro.evidence import Evidence
 from repro.findings import LEVEL, Finding, judge_paper
 from repro.measures import TABLES
 from repro.model import Paper
+from repro.optimum import found_times, time_rows
 from repro.plan import Task
 from repro.report.drawing import Drawing, draw
 from repro.report.results import (
@@ -110,7 +111,10 @@ def _paper_files(
         "everything": everything,
         "comparisons": comparisons(paper, evidence),
         "audit": rows,
-        "certificates": certificates,
+        "certificates": [
+            (certificate, time_rows(certificate, found_times(certificate, evidence)))
+            for certificate in certificates
+        ],
         "drawings": drawings,
         "level": LEVEL,
         "resampled_tables": TABLES,
@@ -143,7 +147,7 @@ def _render(name: str, context: Mapping[str, object]) -> str:
         "interval": interval,
         "anchor": anchor,
         "markup": Markup,  # for the SVG that we draw ourselves
-        "printed_times": _printed_times,
+        "time_cells": _time_cells,
         "comparison_rows": lambda c: [(problem, *texts) for problem, texts in c.rows],
         "run_again": run_again,
         "cell": _markdown,
@@ -157,8 +161,8 @@ def _markdown(text: object) -> str:
     return str(text).replace("|", "\\|").replace("\n", " ").replace("<", "&lt;")
 
 
-def _printed_times(certificate: Certificate) -> list[tuple[str, str, str]]:
-    return [(p.label, number(p.time), f"{p.ratio:.3f}") for p in certificate.printed]
+def _time_cells(rows: Iterable[tuple[str, float, float]]) -> list[tuple[str, str, str]]:
+    return [(label, number(time), f"{ratio:.4f}") for label, time, ratio in rows]
 
 
 def run_again(paper: Paper) -> str:
