@@ -23,6 +23,7 @@ import numpy as np
 from repro.compiled import jit
 from repro.draws import below, normal, uniform
 from repro.errors import InputError
+from repro.optimisers.choices import check_choices
 from repro.optimisers.population import clip, copy_into, uniform_population
 from repro.optimisers.search import Budget, Problem, Result, Spending, search
 
@@ -143,7 +144,8 @@ class DBO:
     groups: Literal["as coded", "proportional"] = "as coded"
 
     def __post_init__(self) -> None:
-        """Raise InputError for a share of producers outside [0, 1]."""
+        """Raise InputError for a share of producers outside [0, 1], or an unknown word."""
+        check_choices(self)
         if not 0 <= self.producers <= 1:
             message = f"producers={self.producers} is a share: it lies between 0 and 1"
             raise InputError(message)

@@ -22,6 +22,7 @@ import numpy as np
 from repro.compiled import jit
 from repro.draws import uniform
 from repro.errors import InputError
+from repro.optimisers.choices import check_choices
 from repro.optimisers.population import clip, copy_into, uniform_population
 from repro.optimisers.search import Budget, Problem, Result, search
 
@@ -121,11 +122,9 @@ class GSA:
 
     def __post_init__(self) -> None:
         """Raise InputError for a percentage outside [0, 100] or an unknown rule for bounds."""
+        check_choices(self)
         if not 0 <= self.final_percent <= 100:
             message = f"final_percent={self.final_percent} is impossible: it lies in 0 to 100"
-            raise InputError(message)
-        if self.bounds not in {"re-initialise", "clip"}:
-            message = f"bounds={self.bounds!r} is unknown; it may be 're-initialise' or 'clip'"
             raise InputError(message)
 
     def minimise(self, problem: Problem, **budget: Unpack[Budget]) -> Result:

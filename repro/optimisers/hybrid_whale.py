@@ -10,14 +10,15 @@ cost; every candidate costs one evaluation more than WOA spends.
 """
 
 import math
-from dataclasses import dataclass
-from typing import Literal, Unpack
+from dataclasses import dataclass, replace
+from typing import Any, Literal, Self, Unpack
 
 import numpy as np
 
 from repro.compiled import jit
 from repro.draws import below, normal, uniform
 from repro.errors import InputError
+from repro.optimisers.choices import check_choices
 from repro.optimisers.population import clip, copy_into, uniform_population
 from repro.optimisers.search import Budget, Problem, Result, Spending, search
 
@@ -244,11 +245,16 @@ class HybridWOA:
     disturbance: float = 0.0
 
     def __post_init__(self) -> None:
-        """Raise InputError for a share outside [0, 1]."""
+        """Raise InputError for a share outside [0, 1], or an unknown word."""
+        check_choices(self)
         for name in ("differential", "genetic", "crossover"):
             if not 0 <= getattr(self, name) <= 1:
                 message = f"{name}={getattr(self, name)} is a share: it lies between 0 and 1"
                 raise InputError(message)
+
+    def __call__(self, **changes: Any) -> Self:  # noqa: ANN401 (any field)
+        """Return a copy with some parameters changed: a declared variant is used as a class is."""
+        return replace(self, **changes)
 
     def minimise(self, problem: Problem, **budget: Unpack[Budget]) -> Result:
         """Return the best point found by N·T evaluations and those of the additions."""

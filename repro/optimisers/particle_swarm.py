@@ -14,6 +14,7 @@ import numpy as np
 
 from repro.compiled import jit
 from repro.draws import uniform
+from repro.optimisers.choices import check_choices
 from repro.optimisers.population import clip, copy_into, uniform_population
 from repro.optimisers.search import Budget, Problem, Result, search
 
@@ -65,6 +66,10 @@ class PSO:
     cognitive: float = 2.0
     social: float = 2.0
     clip: Literal["last particle", "every particle"] = "last particle"
+
+    def __post_init__(self) -> None:
+        """Raise InputError for an unknown word."""
+        check_choices(self)
 
     def minimise(self, problem: Problem, **budget: Unpack[Budget]) -> Result:
         """Return the best point found by N·T evaluations; see `Optimiser`.

@@ -13,14 +13,15 @@ weights are 1. What the paper leaves to choose is a field of `SlimeWOA`.
 """
 
 import math
-from dataclasses import dataclass
-from typing import Literal, Unpack, get_args
+from dataclasses import dataclass, replace
+from typing import Any, Literal, Self, Unpack, get_args
 
 import numpy as np
 
 from repro.compiled import jit
 from repro.draws import below, uniform
 from repro.errors import InputError
+from repro.optimisers.choices import check_choices
 from repro.optimisers.population import clip, copy_into, uniform_population
 from repro.optimisers.search import Budget, Problem, Result, search
 
@@ -169,10 +170,15 @@ class SlimeWOA:
     restart: float = 0.0
 
     def __post_init__(self) -> None:
-        """Raise InputError for a chance outside [0, 1]."""
+        """Raise InputError for a chance outside [0, 1], or an unknown word."""
+        check_choices(self)
         if not 0 <= self.restart <= 1:
             message = f"restart={self.restart} is a chance: it lies between 0 and 1"
             raise InputError(message)
+
+    def __call__(self, **changes: Any) -> Self:  # noqa: ANN401 (any field)
+        """Return a copy with some parameters changed: a declared variant is used as a class is."""
+        return replace(self, **changes)
 
     def minimise(self, problem: Problem, **budget: Unpack[Budget]) -> Result:
         """Return the best point found by N·T evaluations; see `Optimiser`."""

@@ -13,13 +13,14 @@ nothing is tried costs none, so an iteration costs N at most.
 """
 
 from dataclasses import dataclass
-from typing import Literal, Unpack, get_args
+from typing import Literal, Unpack
 
 import numpy as np
 
 from repro.compiled import jit
 from repro.draws import below, uniform
 from repro.errors import InputError
+from repro.optimisers.choices import check_choices
 from repro.optimisers.population import copy_into, uniform_population
 from repro.optimisers.search import Budget, Problem, Result, Spending, search
 
@@ -84,13 +85,11 @@ class SteadyStateGA:
 
     def __post_init__(self) -> None:
         """Raise InputError for a rate outside [0, 1] or an unknown mixing."""
+        check_choices(self)
         for name in ("crossover", "mutation"):
             if not 0 <= getattr(self, name) <= 1:
                 message = f"{name}={getattr(self, name)} is a rate: it lies between 0 and 1"
                 raise InputError(message)
-        if self.mixing not in get_args(Mixing):
-            message = f"mixing={self.mixing!r} is none of {', '.join(get_args(Mixing))}"
-            raise InputError(message)
 
     def minimise(self, problem: Problem, **budget: Unpack[Budget]) -> Result:
         """Return the best point found by at most N + N·T evaluations; see `Optimiser`."""
