@@ -17,6 +17,7 @@ from repro.model import Paper
 INTERRUPTED = 130
 SOME_RUN_FAILED = 1
 DEFAULT_REPEATS = 10
+PAGES = "repro.report.pages"  # takes seconds to load, with all that draws
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -95,7 +96,7 @@ def _reproduce(options: argparse.Namespace) -> int:
     from repro.plan import plan  # noqa: PLC0415
     from repro.progress import Progress  # noqa: PLC0415
     from repro.provenance import provenance  # noqa: PLC0415
-    from repro.report.pages import usable_folder, write_report  # noqa: PLC0415
+    from repro.report.files import usable_folder  # noqa: PLC0415
     from repro.session import run_missing  # noqa: PLC0415
     from repro.store import Store  # noqa: PLC0415
 
@@ -112,11 +113,13 @@ def _reproduce(options: argparse.Namespace) -> int:
                 )  # fmt: skip
         else:
             with local(workers) as executor:
+                executor.submit(importlib.import_module, PAGES)  # loads while others run
                 failed = run_missing(
                     store, tasks, executor=executor, workers=workers,
                     environment=provenance, report=Progress(),
                 )  # fmt: skip
-        write_report(store, chosen, tasks, options.reports, all_papers().values())
+        pages = importlib.import_module(PAGES)
+        pages.write_report(store, chosen, tasks, options.reports, all_papers().values())
     for record in failed:
         sys.stderr.write(f"repro: run {record.task.name} failed: {record.reason}\n")
     sys.stdout.write(f"pages: {options.reports / 'index.html'}\n")

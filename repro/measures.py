@@ -7,6 +7,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from repro.errors import DeclarationError
 from repro.evidence import Cell, Evidence
 from repro.seeds import generator
 from repro.statistics.summary import STATISTICS
@@ -180,6 +181,9 @@ class Reduction:
     def measure(self, evidence: Evidence) -> Measured:
         """Return the reduction in the first repeat and in resampled tables."""
         before, after = self.before.measure(evidence), self.after.measure(evidence)
+        if before.value == 0.0 or not np.all(before.draws):
+            message = f"{self.words}: nothing is lower than 0 by a percentage"
+            raise DeclarationError(message)
         return Measured(
             value=100.0 * (1.0 - after.value / before.value),
             draws=100.0 * (1.0 - after.draws / before.draws),

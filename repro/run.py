@@ -2,7 +2,7 @@
 
 import time
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
+from concurrent.futures import FIRST_COMPLETED, CancelledError, Executor, Future, wait
 from dataclasses import dataclass
 from itertools import islice
 
@@ -76,22 +76,33 @@ def run_all(
     An interrupt drops what has not started, waits for what has, keeps it, and is raised again.
     """
     waiting = iter(tasks)
-    unkept: set[Future[Record]] = set()
+    unkept: dict[Future[Record], Task] = {}
     try:
         _submit(executor, waiting, workers * IN_FLIGHT, unkept)
         while unkept:
             done = wait(unkept, return_when=FIRST_COMPLETED).done
-            keep([future.result() for future in done])
-            unkept -= done
+            keep([_outcome(future, unkept[future]) for future in done])
+            for future in done:
+                del unkept[future]
             _submit(executor, waiting, len(done), unkept)
     except KeyboardInterrupt:
         started = [future for future in unkept if not future.cancel()]
-        keep([future.result() for future in wait(started).done])
+        keep([_outcome(future, unkept[future]) for future in wait(started).done])
         raise
 
 
+def _outcome(future: Future[Record], task: Task) -> Record:
+    """Return the record of a task; one whose worker was lost for good is a failed run."""
+    try:
+        return future.result()
+    except CancelledError:  # the whole cluster went away
+        raise
+    except Exception as error:  # noqa: BLE001 (what a cluster says of a task that kills its worker)
+        return _failed(task, f"its worker was lost: {type(error).__name__}: {error}", 0.0)
+
+
 def _submit(
-    executor: Executor, tasks: Iterator[Task], count: int, unkept: set[Future[Record]]
+    executor: Executor, tasks: Iterator[Task], count: int, unkept: dict[Future[Record], Task]
 ) -> None:
     for task in islice(tasks, count):
-        unkept.add(executor.submit(execute, task))
+        unkept[executor.submit(execute, task)] = task

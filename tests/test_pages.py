@@ -6,9 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from repro.errors import InputError
 from repro.plan import plan
-from repro.report.pages import run_again, usable_folder, write_report
+from repro.report.pages import run_again, write_report
 from repro.store import Store
 from tests.doe2021 import PAPER
 from tests.made_up import pages_of
@@ -159,10 +158,3 @@ def test_the_lines_that_run_one_number_again_give_that_number(
         if f["row"] == "F1 Mean" and f["column"] == "WOA"
     )
     assert float(capsys.readouterr().out) == pytest.approx(finding["value"], rel=1e-12)
-
-
-def test_a_reports_folder_that_is_a_file_is_refused(tmp_path: Path) -> None:
-    place = tmp_path / "reports"
-    place.write_text("in the way")
-    with pytest.raises(InputError, match="cannot be used"):
-        usable_folder(place)

@@ -1,8 +1,5 @@
 """Writing the reports folder: pages, figures, tables and results.json."""
 
-import csv
-import io
-import os
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
@@ -11,7 +8,6 @@ from markupsafe import Markup
 
 from repro.audit import audit
 from repro.certify import certify
-from repro.errors import InputError
 from repro.evidence import Evidence
 from repro.findings import LEVEL, Finding, judge_paper
 from repro.measures import TABLES
@@ -19,6 +15,7 @@ from repro.model import Paper
 from repro.optimum import found_times, time_rows
 from repro.plan import Task
 from repro.report.drawing import Drawing, draw
+from repro.report.files import csv_text, usable_folder, write_file
 from repro.report.results import (
     Json,
     merged,
@@ -39,19 +36,6 @@ _COLUMNS = (
     *("measured_low", "measured_high", "accepted_low", "accepted_high", "quantile", "repeats"),
     *("verdict", "side", "note"),
 )
-
-
-def usable_folder(folder: Path) -> None:
-    """Make the folder; InputError where it cannot be written."""
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        usable = os.access(folder, os.W_OK)
-        reason = "no permission to write"
-    except OSError as error:
-        usable, reason = False, str(error.strerror)
-    if not usable:
-        message = f"the reports folder {folder} cannot be used: {reason}"
-        raise InputError(message)
 
 
 def write_report(
@@ -75,7 +59,7 @@ def write_report(
     files["results.json"] = results_text(results)
     files |= index_files(results)
     for name, text in files.items():
-        _write(folder / name, text)
+        write_file(folder / name, text)
     return results
 
 
@@ -187,11 +171,11 @@ def _tables(paper: Paper, findings: Sequence[Finding], drawings: Sequence[Drawin
     for finding in findings:
         by_table.setdefault(finding.table or "claims", []).append(finding)
     files = {
-        f"tables/{paper.key}-{anchor(label)}.csv": _csv([_COLUMNS, *map(_csv_row, own)])
+        f"tables/{paper.key}-{anchor(label)}.csv": csv_text([_COLUMNS, *map(_csv_row, own)])
         for label, own in by_table.items()
     }
     for figure, drawing in zip(paper.figures, drawings, strict=True):
-        files[f"tables/{paper.key}-{anchor(figure.label)}.csv"] = _csv(drawing.rows)
+        files[f"tables/{paper.key}-{anchor(figure.label)}.csv"] = csv_text(drawing.rows)
     return files
 
 
@@ -202,21 +186,3 @@ def _csv_row(finding: Finding) -> tuple[object, ...]:
         finding.unit, finding.value, low, high, *finding.accepted, finding.quantile,
         finding.repeats, finding.verdict, finding.side, finding.note,
     )  # fmt: skip
-
-
-def _csv(rows: Iterable[Iterable[object]]) -> str:
-    text = io.StringIO()
-    csv.writer(text, lineterminator="\n").writerows(rows)
-    return text.getvalue()
-
-
-def _write(path: Path, text: str) -> None:
-    """Replace a file at once, so that no reader sees half of it."""
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        draft = path.with_name(f".{path.name}.draft")
-        draft.write_text(text, encoding="utf-8")
-        draft.replace(path)
-    except OSError as error:
-        message = f"{path} cannot be written: {error.strerror}"
-        raise InputError(message) from None
