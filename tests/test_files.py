@@ -27,7 +27,7 @@ def test_a_file_is_replaced_whole_and_leaves_no_draft(tmp_path: Path) -> None:
 
 def test_a_file_that_cannot_be_written_is_named(tmp_path: Path) -> None:
     (tmp_path / "tables").write_text("in the way")
-    with pytest.raises(InputError, match="a.csv cannot be written"):
+    with pytest.raises(InputError, match=r"a\.csv cannot be written"):
         write_file(tmp_path / "tables" / "a.csv", "text")
 
 

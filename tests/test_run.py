@@ -118,7 +118,140 @@ def test_few_tasks_are_handed_out_at_a_time() -> None:
     waiting: list[int] = []
 
     class Counting(ThreadPoolExecutor):
-        def submit(
+        def submit(self, *args: Any, **_: Any) -> Future[Any]:  # noqa: ANN401
+            future: Future[Any] = super().submit(*args)
+            unfinished.append(future)
+            waiting.append(sum(not known.done() for known in unfinished))
+            return future
+
+    unfinished: list[Future[Any]] = []
+    with Counting(2) as executor:
+        run_all(TASKS, executor, 2, lambda _: None)
+
+    assert len(waiting) == len(TASKS)
+    assert max(waiting) <= 2 * run.IN_FLIGHT
+
+
+def test_every_finished_task_makes_room_for_another() -> None:
+    class AtOnce(ThreadPoolExecutor):
+        def submit(self, *args: Any, **_: Any) -> Future[Any]:  # noqa: ANN401
+            future: Future[Any] = super().submit(*args)
+            wait([future])
+            return future
+
+    batches: list[int] = []
+    with AtOnce(2) as executor:
+        run_all(TASKS[:50], executor, 2, lambda records: batches.append(len(records)))
+
+    assert batches == [8] * 6 + [2]
+
+
+@dataclass(frozen=True)
+class Watched:
+    """A search that counts its runs and can be held back."""
+
+    done: list[int]
+    gate: Event
+    lock: Lock
+
+    def minimise(self, problem: Problem, **budget: Unpack[Budget]) -> Result:  # noqa: ARG002
+        """Wait for the gate, then count."""
+        self.gate.wait(5)
+        with self.lock:
+            self.done.append(1)
+        return Result(x=np.zeros(2), cost=1.0, history=np.zeros(1), evaluations=1)
+
+
+class StopsAt(ThreadPoolExecutor):
+    """An executor that is interrupted when it is handed its n-th task."""
+
+    def __init__(self, workers: int, n: int) -> None:
+        """Count down from n."""
+        super().__init__(workers)
+        self.left = n
+
+    def submit(self, *args: Any, **_: Any) -> Future[Any]:  # noqa: ANN401
+        """Submit, or stop."""
+        self.left -= 1
+        if not self.left:
+            raise KeyboardInterrupt
+        return super().submit(*args)
+
+
+def interrupted(
+    executor: Executor, *, stop: Callable[[], None] = lambda: None, held: float = 0.0
+) -> tuple[list[Record], int]:
+    """Return the records that an interrupted call keeps, and how many runs it made.
+
+    `stop` is called before records are kept; no run ends before `held` seconds have passed.
+    """
+    watched = Watched([], Event(), Lock())
+    paper = searching(watched=watched)
+    tasks = plan([replace(paper, experiments=(replace(paper.experiments[0], runs=50),))], 1)
+    records: list[Record] = []
+
+    def keep(finished: list[Record]) -> None:
+        stop()
+        records.extend(finished)
+
+    Timer(held, watched.gate.set).start()
+    with executor, pytest.raises(KeyboardInterrupt):
+        run_all(tasks, executor, 2, keep)
+    assert len({record.task.name for record in records}) == len(records)
+    return records, len(watched.done)
+
+
+def at_call(n: int) -> Callable[[], None]:
+    calls: list[None] = []
+
+    def stop() -> None:
+        calls.append(None)
+        if len(calls) == n:
+            raise KeyboardInterrupt
+
+    return stop
+
+
+@pytest.mark.parametrize("n", [1, 3])
+def test_interrupt_while_records_are_kept_keeps_every_finished_run(n: int) -> None:
+    records, made = interrupted(ThreadPoolExecutor(2), stop=at_call(n))
+
+    assert 0 < len(records) == made < 50
+
+
+def test_interrupt_while_waiting_keeps_every_finished_run(monkeypatch: pytest.MonkeyPatch) -> None:
+    stop = at_call(3)
+
+    def stopping_wait(*args: Any, **options: Any) -> Any:  # noqa: ANN401
+        stop()
+        return wait(*args, **options)
+
+    monkeypatch.setattr("repro.run.wait", stopping_wait)
+
+    records, made = interrupted(ThreadPoolExecutor(2))
+
+    assert 0 < len(records) == made < 50
+
+
+@pytest.mark.parametrize("n", [5, 12])
+def test_interrupt_while_tasks_are_handed_out_keeps_every_finished_run(n: int) -> None:
+    records, made = interrupted(StopsAt(2, n))
+
+    assert 0 < len(records) == made < n
+
+
+def test_interrupt_drops_what_has_not_started() -> None:
+    records, made = interrupted(StopsAt(2, 8), held=0.3)
+
+    assert len(records) == made == 2
+
+
+class _LosingExecutor(ThreadPoolExecutor):
+    """Loses the worker of every third task, as a cluster does with a task that kills it."""
+
+    submitted = 0
+
+    def submit(
         self,
         function: Callable[..., Any],
         /,
@@ -126,8 +259,8 @@ def test_few_tasks_are_handed_out_at_a_time() -> None:
         **named: Any,  # noqa: ANN401
     ) -> Future[Any]:
         """Run the task, or say that its worker is gone."""
-        self.lost += 1
-        if self.lost % 3:
+        self.submitted += 1
+        if self.submitted % 3:
             return super().submit(function, *arguments, **named)
         gone: Future[Any] = Future()
         gone.set_exception(RuntimeError("the worker is gone"))
@@ -135,12 +268,11 @@ def test_few_tasks_are_handed_out_at_a_time() -> None:
 
 
 def test_task_whose_worker_is_lost_is_named_and_costs_no_other() -> None:
-    tasks = TASKS[:6]
     found: list[Record] = []
 
     with _LosingExecutor(2) as executor:
-        run_all(tasks, executor, 2, found.extend)
+        run_all(TASKS[:6], executor, 2, found.extend)
 
-    assert {record.task.name for record in found} == {task.name for task in tasks}
+    assert Counter(record.task.name for record in found) == Counter(names(TASKS[:6]))
     reasons = [record.reason for record in found if record.reason]
     assert reasons == ["its worker was lost: RuntimeError: the worker is gone"] * 2
