@@ -7,11 +7,10 @@ from typing import Any
 
 import pytest
 
-import papers
 from repro.__main__ import all_papers, main
 from repro.model import Paper
 from repro.store import SCHEMA
-from tests.small_papers import MODULE, PAPER, Failing, Guessing, searching
+from tests.small_papers import PAPER, Failing, Guessing, searching
 
 KEYS = tuple(all_papers())
 
@@ -225,17 +224,3 @@ def test_interrupt_says_that_the_same_call_goes_on(
 
     assert (code, out) == (130, "")
     assert "the same call goes on" in err
-
-
-def test_paper_needs_one_module_and_no_change_of_the_engine(
-    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    text = MODULE.replace("slow2021", "fifth2022").replace("0.05", "0.0")
-    (tmp_path / "fifth2022.py").write_text(text, encoding="utf-8")
-    monkeypatch.setattr(papers, "__path__", [*papers.__path__, str(tmp_path)])
-
-    code, _, _ = run("reproduce", "fifth2022", "--repeats", "1")
-
-    assert code == 0
-    assert list(all_papers()) == [*KEYS, "fifth2022"]
-    assert Path("reports/fifth2022.md").exists()
