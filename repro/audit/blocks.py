@@ -1,8 +1,9 @@
 """The printed statistics of one algorithm on one problem, and what they are statistics of."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from types import MappingProxyType
 from typing import Any
 
 from repro.audit.spans import Span, exact, is_scientific, statistic_span
@@ -16,6 +17,24 @@ from repro.relations import TableCell
 # Functions that add terms of fixed size which cancel at the minimum: near it every value is a
 # multiple of the spacing of doubles at the smallest of these terms.
 CANCELLING = {"ackley": 2.0**-51, "rastrigin": 2.0**-49}
+
+# What no value of a function in n dimensions exceeds on its box: each term at its greatest. A run
+# that starts inside the box has a best of that at most, wherever it goes later.
+CEILINGS: Mapping[str, Callable[[int], Fraction]] = MappingProxyType(
+    {
+        "sphere": lambda n: Fraction(n * 100**2),
+        "schwefel_2_22": lambda n: Fraction(10 * n + 10**n),
+        "schwefel_1_2": lambda n: Fraction(100**2 * n * (n + 1) * (2 * n + 1), 6),
+        "schwefel_2_21": lambda _: Fraction(100),
+        "rosenbrock": lambda n: Fraction((n - 1) * (100 * (30 + 30**2) ** 2 + 31**2)),
+        "rastrigin": lambda n: n * (Fraction(512, 100) ** 2 + 20),
+        "ackley": lambda _: Fraction(23),  # 20 + e and no less than 0 taken away
+        "alpine_1": lambda n: Fraction(11 * n),
+        "foxholes": lambda _: Fraction(500),
+        "hartmann_3": lambda _: Fraction(0),
+        "shekel_5": lambda _: Fraction(0),
+    }
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -44,6 +63,14 @@ class Block:
         least = exact(self.function.minimum)
         slack = max(abs(least) / 2**40, 4 * Fraction(CANCELLING.get(self.function.name, 0)))
         return least - slack
+
+    @property
+    def ceiling(self) -> Fraction | None:
+        """A number that no run lies above; None where none is known."""
+        if self.function is None or self.function.name not in CEILINGS:
+            return None
+        most = CEILINGS[self.function.name](self.problem.dimension)
+        return most + abs(most) / 2**40
 
     def printed(self, statistic: str) -> Printed:
         """Return the number as printed."""

@@ -33,7 +33,8 @@ def _small_check(block: Block) -> str:
 def _too_large(block: Block) -> str:
     std, best, mean, worst = (block.span(name) for name in ("std", "best", "mean", "worst"))
     low = best.low if best else block.floor
-    sample = widest(block.n, low, worst.high if worst else None, mean)
+    highs = [high for high in (worst.high if worst else None, block.ceiling) if high is not None]
+    sample = widest(block.n, low, min(highs, default=None), mean)
     if std is None or sample is None or std.low <= 0:
         return ""
     if std.low**2 * (block.n - 1) <= sample.squares:
@@ -56,6 +57,8 @@ def _known(block: Block, sample: Widest) -> str:
     function = block.function
     if "best" not in names and function is not None:
         parts.append(f"no value below {shown(function.minimum)}, the minimum of {function.title}")
+    if sample.high == block.ceiling and sample.upper > 0 and function is not None:
+        parts.append(f"no value above {shown(sample.high)}, which {function.title} never exceeds")
     return f"{', '.join(parts)} (each at the generous end of its rounding)"
 
 
