@@ -6,6 +6,7 @@ doi:10.1109/TRO.2018.2819195) runs through the waypoints along a fixed spline wi
 its time depends on its grid. Both come with the extra `references`.
 """
 
+import warnings
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
@@ -87,7 +88,9 @@ def toppra_time(problem: MinimumTime) -> float:
 
     It may be less or more than the minimum with rests: it follows another curve.
     """
-    from toppra import SplineInterpolator, algorithm, constraint  # noqa: PLC0415 (an extra)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # its docstrings hold invalid escape sequences
+        from toppra import SplineInterpolator, algorithm, constraint  # noqa: PLC0415 (an extra)
 
     points = np.array(problem.waypoints)
     velocity, acceleration, _ = problem.limits
