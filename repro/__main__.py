@@ -92,7 +92,7 @@ def _chosen(keys: Sequence[str]) -> list[Paper]:
 
 
 def _reproduce(options: argparse.Namespace) -> int:
-    from repro.executors import cluster, local, usable_cores  # noqa: PLC0415 (slow imports late)
+    from repro.executors import checked_workers, cluster, local  # noqa: PLC0415 (slow imports late)
     from repro.plan import plan  # noqa: PLC0415
     from repro.progress import Progress  # noqa: PLC0415
     from repro.provenance import provenance  # noqa: PLC0415
@@ -102,7 +102,7 @@ def _reproduce(options: argparse.Namespace) -> int:
 
     chosen = _chosen(options.keys)
     tasks = plan(chosen, options.repeats)
-    workers = usable_cores() if options.workers is None else options.workers
+    workers = checked_workers(options.workers)
     usable_folder(options.reports)
     with Store(options.store) as store:
         if options.dask:

@@ -15,13 +15,20 @@ def usable_cores() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
-@contextmanager
-def local(workers: int) -> Iterator[Executor]:
-    """Yield a pool of threads; the compiled loops release the interpreter lock."""
+def checked_workers(workers: int | None) -> int:
+    """Return the number of workers, the usable cores for None; InputError below 1."""
+    if workers is None:
+        return usable_cores()
     if workers < 1:
         message = f"workers is {workers}; it must be 1 or more"
         raise InputError(message)
-    with ThreadPoolExecutor(workers, thread_name_prefix="run") as executor:
+    return workers
+
+
+@contextmanager
+def local(workers: int) -> Iterator[Executor]:
+    """Yield a pool of threads; the compiled loops release the interpreter lock."""
+    with ThreadPoolExecutor(checked_workers(workers), thread_name_prefix="run") as executor:
         yield executor
 
 

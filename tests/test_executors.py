@@ -8,7 +8,7 @@ from typing import Any, Self
 import pytest
 
 from repro.errors import ClusterLostError, InputError
-from repro.executors import cluster, local, usable_cores
+from repro.executors import checked_workers, cluster, local, usable_cores
 
 
 class Client:
@@ -108,3 +108,10 @@ def test_cluster_that_goes_away_asks_for_the_same_command_again(error: Exception
 def test_other_errors_are_not_blamed_on_the_cluster() -> None:
     with pytest.raises(ZeroDivisionError), cluster("tcp://here:1"):
         raise ZeroDivisionError
+
+
+def test_workers_are_the_usable_cores_unless_they_are_named() -> None:
+    assert checked_workers(None) == usable_cores()
+    assert checked_workers(3) == 3
+    with pytest.raises(InputError, match="workers is 0"):
+        checked_workers(0)
