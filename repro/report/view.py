@@ -29,7 +29,6 @@ class Shown:
 
     finding: Finding
     anchor: str
-    name: str
     printed: str
     value: str
     difference: str
@@ -66,14 +65,12 @@ class Comparison:
 def shown(finding: Finding, marks: Mapping[Place, list[AuditRow]]) -> Shown:
     """Return a finding in the words and digits of the pages."""
     place = (finding.table, finding.row, finding.column)
-    cell = " ".join(part for part in place if part)
     worded = finding.printed == IN_WORDS
     printed = None if worded else Printed(finding.printed, finding.unit)
     digits = digits_for(printed) if printed else 4
     return Shown(
         finding=finding,
         anchor=anchor(*place, finding.claim),
-        name=finding.claim or cell,
         printed=finding.printed if finding.table or not printed else _with_unit(printed),
         value=number(finding.value, digits),
         difference=difference(printed, finding.value) if printed else "",
