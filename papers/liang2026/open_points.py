@@ -159,8 +159,8 @@ ERRATA = (
         where="Table III against Table IV",
         printed="d_1 = 490",
         used="490, as printed",
-        because="with 495 the tool height would meet Table IV at all three waypoints; the re-run "
-        "keeps the print and shows the gap of about 5 mm",
+        because="the tables do not quite agree: the audit gives the gap and the one constant that "
+        "would close it; the re-run keeps the print",
     ),
     Erratum(
         where="section III-D",

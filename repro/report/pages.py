@@ -25,7 +25,7 @@ from repro.report.results import (
     verdict_counts,
 )
 from repro.report.view import comparisons, marks_by_cell, shown, table_view
-from repro.report.words import MEANINGS, SYMBOLS, anchor, interval, number, raised
+from repro.report.words import MEANINGS, SYMBOLS, anchor, number, raised
 from repro.session import gather
 from repro.store import Store
 from repro.verdict import Verdict
@@ -128,7 +128,6 @@ def _render(name: str, context: Mapping[str, object]) -> str:
     environment.filters |= {
         "number": number,
         "raised": raised,
-        "interval": interval,
         "anchor": anchor,
         "markup": Markup,  # for the SVG that we draw ourselves
         "time_cells": _time_cells,
