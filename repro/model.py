@@ -2,7 +2,7 @@
 
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from repro.errors import DeclarationError
@@ -45,12 +45,36 @@ class Experiment:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Alternative:
+    """Another choice than ours: what it changes, or why it cannot be tried.
+
+    `name` is short and unique in its paper; the runs are named by it. `algorithms` maps
+    (experiment, algorithm) and `problems` maps (experiment, problem) to what takes its place: an
+    object, or the fields to replace. `protocol` maps an experiment to fields of it to replace
+    (population, iterations, runs). `claims` take the place of the claims on the same cells or
+    sentences.
+    """
+
+    says: str
+    name: str = ""
+    algorithms: Mapping[tuple[str, str], Any] = field(default_factory=dict)
+    problems: Mapping[tuple[str, str], Any] = field(default_factory=dict)
+    protocol: Mapping[str, Mapping[str, int]] = field(default_factory=dict)
+    claims: tuple["Claim", ...] = ()
+    untried: str = ""
+
+    def __str__(self) -> str:
+        """Return what the pages say of it."""
+        return self.says
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Assumption:
     """A value or rule that the paper leaves open: what we chose, among what, and why."""
 
     what: str
     chosen: str
-    alternatives: tuple[str, ...]
+    alternatives: tuple["Alternative | str", ...]
     because: str
     where: str
 
