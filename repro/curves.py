@@ -7,7 +7,7 @@ run: the first run of every joint makes the arm's first run, and so on.
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
-from typing import Literal
+from typing import ClassVar, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -55,6 +55,11 @@ class Together:
     statistic: str = "median"
 
     @property
+    def follows(self) -> bool:
+        """Whether it is about the cost on the way."""
+        return self.quantity.startswith("cost after")
+
+    @property
     def words(self) -> str:
         """What is measured, as a phrase."""
         return (
@@ -79,6 +84,11 @@ class Place:
 
     of: Measure
     others: tuple[Measure, ...]
+
+    @property
+    def follows(self) -> bool:
+        """Whether any of them does."""
+        return any(measure.follows for measure in (self.of, *self.others))
 
     @property
     def words(self) -> str:
@@ -109,6 +119,7 @@ class Effort:
     evaluations of a run are shared out equally among its iterations.
     """
 
+    follows: ClassVar[bool] = True
     experiment: str
     problems: tuple[str, ...]
     algorithm: str
@@ -156,6 +167,7 @@ class Sensitivity:
     problems and instants, divided by the shift; 1 means that a change is passed on as it is.
     """
 
+    follows: ClassVar[bool] = False
     experiment: str
     shifted: str
     problems: tuple[str, ...]

@@ -1,8 +1,9 @@
 """What the runs of one paper say, arranged for judging."""
 
 import re
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +13,7 @@ from repro.model import Experiment, Paper
 
 Vector = NDArray[np.float64]
 Cell = tuple[str, str, str]
+T = TypeVar("T")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -19,39 +21,74 @@ class Runs:
     """Every run of one algorithm on one problem.
 
     `costs` (repeats, runs), `points` (repeats, runs, n), `histories` (repeats, runs, iterations),
-    `evaluations` of one run.
+    of the first repeat alone where no claim follows the searches themselves; `evaluations` and
+    median `seconds` of one run.
     """
 
     costs: Vector
     points: Vector
     histories: Vector
     evaluations: int
+    seconds: float = 0.0
 
     def repeats(self, which: slice) -> "Runs":
         """Return some of the repeats."""
-        return Runs(
+        return replace(
+            self,
             costs=self.costs[which],
             points=self.points[which],
             histories=self.histories[which],
-            evaluations=self.evaluations,
         )
 
 
 @dataclass(frozen=True, slots=True)
 class Evidence:
-    """Runs by (experiment, problem, algorithm); a cell that was not run whole is absent."""
+    """Runs by (experiment, problem, algorithm); a cell that was not run whole is absent.
+
+    `others` are the experiments besides the paper's own, or in their place where one has the same
+    name. What is measured is remembered, since many claims share it.
+    """
 
     paper: Paper
     runs: Mapping[Cell, Runs]
+    others: tuple[Experiment, ...] = ()
+    remembered: dict[object, Any] = field(default_factory=dict, compare=False, repr=False)
 
     def experiment(self, name: str) -> Experiment:
         """Return the experiment of that name."""
-        return next(e for e in self.paper.experiments if e.name == name)
+        return next(e for e in (*self.others, *self.paper.experiments) if e.name == name)
 
-    def halves(self, cells: tuple[Cell, ...]) -> tuple["Evidence", "Evidence"]:
-        """Return the odd and the even repeats of some cells; each needs two repeats or more."""
+    def remember(self, what: object, find: Callable[[], T]) -> T:
+        """Return what was found before under that name, else find it."""
+        if what not in self.remembered:
+            self.remembered[what] = find()
+        found: T = self.remembered[what]
+        return found
+
+    def under(self, experiments: Iterable[Experiment], runs: Mapping[Cell, Runs]) -> "Evidence":
+        """Return the evidence with other experiments and runs in the place of some.
+
+        What was measured of the runs that stay is remembered.
+        """
+        others = tuple(experiments)
+        changed = {other.name for other in others}
+        kept = {
+            what: found
+            for what, found in self.remembered.items()
+            if hasattr(what, "cells") and not any(cell[0] in changed for cell in what.cells())
+        }
+        return Evidence(self.paper, {**self.runs, **runs}, (*others, *self.others), kept)
+
+    def halves(self) -> tuple["Evidence", "Evidence"]:
+        """Return the odd and the even repeats of all cells that have two repeats or more."""
+        return self.remember("halves", self._halves)
+
+    def _halves(self) -> tuple["Evidence", "Evidence"]:
+        cells = [cell for cell, runs in self.runs.items() if len(runs.costs) > 1]
         odd, even = (
-            Evidence(self.paper, {cell: self.runs[cell].repeats(which) for cell in cells})
+            Evidence(
+                self.paper, {cell: self.runs[cell].repeats(which) for cell in cells}, self.others
+            )
             for which in (slice(0, None, 2), slice(1, None, 2))
         )
         return odd, even

@@ -1,18 +1,43 @@
 """From evidence to findings: every printed number and claim with interval, band and verdict."""
 
-from dataclasses import dataclass
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
 
 from repro.claims import CellClaim, Claim
-from repro.evidence import Evidence
+from repro.evidence import Cell, Evidence
 from repro.measures import Measure, Measured
 from repro.published import UNITS
 from repro.statistics.tables import quantile_interval
+from repro.variations import Variation
 from repro.verdict import Interval, Verdict, judge
 
 LEVEL = 0.95
 PROVISIONAL = "provisional: one repeat only"
 IN_WORDS = "in words"
 FLIPS = "the odd and the even repeats come to opposite verdicts"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ReadingOutcome:
+    """What becomes of a number under another reading of the paper, by the reading's name."""
+
+    reading: str
+    measured: Interval
+    verdict: Verdict
+    side: str | None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class VariedEvidence:
+    """A variation of the paper, its claims in the order of the paper's, and its evidence.
+
+    `changed` are the cells whose runs are not the paper's.
+    """
+
+    variation: Variation
+    claims: tuple[Claim, ...]
+    evidence: Evidence
+    changed: frozenset[Cell]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -36,14 +61,48 @@ class Finding:
     repeats: int = 0
     measure: str = ""
     tolerance: str = ""
+    readings: tuple[ReadingOutcome, ...] = ()
 
 
-def judge_paper(evidence: Evidence) -> tuple[Finding, ...]:
-    """Return one finding per claim of the paper, in the order of declaration."""
-    return tuple(_finding(claim, evidence) for claim in evidence.paper.claims)
+def judge_paper(evidence: Evidence, others: Iterable[VariedEvidence] = ()) -> tuple[Finding, ...]:
+    """Return one finding per claim of the paper, in the order of declaration.
+
+    A contradicted number is judged again under every variation of the paper that bears on it.
+    """
+    varied = tuple(others)
+    findings = []
+    for position, claim in enumerate(evidence.paper.claims):
+        finding = judged(claim, evidence)
+        if finding.verdict is Verdict.CONTRADICTED:
+            finding = replace(finding, readings=_readings(position, claim, varied))
+        findings.append(finding)
+    return tuple(findings)
 
 
-def _finding(claim: Claim, evidence: Evidence) -> Finding:
+def _readings(
+    position: int, own: Claim, varied: tuple[VariedEvidence, ...]
+) -> tuple[ReadingOutcome, ...]:
+    outcomes = []
+    for other in varied:
+        claim = other.claims[position]
+        cells = claim.measure.cells() if claim.measure else ()
+        if claim is own and other.changed.isdisjoint(cells):
+            continue
+        finding = judged(claim, other.evidence, halves=False)
+        if finding.measured is not None:
+            outcomes.append(
+                ReadingOutcome(
+                    reading=other.variation.name,
+                    measured=finding.measured,
+                    verdict=finding.verdict,
+                    side=finding.side,
+                )
+            )
+    return tuple(outcomes)
+
+
+def judged(claim: Claim, evidence: Evidence, *, halves: bool = True) -> Finding:
+    """Return what is said of one claim; `halves` of the repeats must then agree."""
     accepted = claim.accepted.band(claim.printed)
     if claim.measure is None:
         why = claim.gap.because if claim.gap else ""
@@ -56,7 +115,7 @@ def _finding(claim: Claim, evidence: Evidence) -> Finding:
     interval = _interval(claim, measured)
     verdict, side = judge(interval, accepted)
     note = PROVISIONAL if measured.repeats == 1 else ""
-    if _flips(claim.measure, claim, evidence):
+    if halves and _flips(claim.measure, claim, evidence):
         verdict, side, note = Verdict.UNDECIDED, None, FLIPS
     return _named(
         claim,
@@ -89,7 +148,7 @@ def _flips(measure: Measure, claim: Claim, evidence: Evidence) -> bool:
         return False
     accepted = claim.accepted.band(claim.printed)
     verdicts = {
-        judge(_interval(claim, measure.measure(half)), accepted) for half in evidence.halves(cells)
+        judge(_interval(claim, measure.measure(half)), accepted) for half in evidence.halves()
     }
     decided = {pair for pair in verdicts if pair[0] is not Verdict.UNDECIDED}
     return len(decided) > 1

@@ -2,7 +2,8 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Protocol
+from functools import partial
+from typing import ClassVar, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,6 +40,10 @@ class Measure(Protocol):
     def words(self) -> str:
         """What is measured, as a phrase."""
 
+    @property
+    def follows(self) -> bool:
+        """Whether it looks at the course of the searches and not only at their ends."""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Statistic:
@@ -64,8 +69,16 @@ class Statistic:
         """Return the one cell that is needed."""
         return (self.cell,)
 
+    @property
+    def follows(self) -> bool:
+        """Whether it is about the cost on the way."""
+        return self.quantity.startswith("cost after")
+
     def measure(self, evidence: Evidence) -> Measured:
         """Return the statistic of the first repeat and of resampled tables."""
+        return evidence.remember(self, partial(self._measure, evidence))
+
+    def _measure(self, evidence: Evidence) -> Measured:
         values = evidence.values(self.cell, self.quantity)
         statistic = STATISTICS[self.statistic]
         # named without statistic and quantity: one and the same tables for all of a cell's numbers
@@ -88,6 +101,11 @@ class Rank:
     def words(self) -> str:
         """What is measured, as a phrase."""
         return f"rank of {self.of.words} among {', '.join(self.among)}"
+
+    @property
+    def follows(self) -> bool:
+        """Whether the statistic does."""
+        return self.of.follows
 
     def cells(self) -> tuple[Cell, ...]:
         """Return one cell per algorithm."""
@@ -118,6 +136,7 @@ class Rank:
 class Computed:
     """A value that follows from printed inputs without a run."""
 
+    follows: ClassVar[bool] = False
     how: str
     value: Callable[[], float]
 
@@ -148,6 +167,11 @@ class Difference:
         """What is measured, as a phrase."""
         return f"difference from {self.before.words} to {self.after.words}"
 
+    @property
+    def follows(self) -> bool:
+        """Whether either side does."""
+        return self.before.follows or self.after.follows
+
     def cells(self) -> tuple[Cell, ...]:
         """Return the cells of both sides."""
         return self.before.cells() + self.after.cells()
@@ -173,6 +197,11 @@ class Reduction:
     def words(self) -> str:
         """What is measured, as a phrase."""
         return f"reduction in percent from {self.before.words} to {self.after.words}"
+
+    @property
+    def follows(self) -> bool:
+        """Whether either side does."""
+        return self.before.follows or self.after.follows
 
     def cells(self) -> tuple[Cell, ...]:
         """Return the cells of both sides."""

@@ -31,7 +31,8 @@ class Source:
 class Experiment:
     """Every algorithm on every problem, `runs` times, under the paper's protocol.
 
-    `proposed` is the algorithm that the paper puts forward; the others are compared with it.
+    `proposed` is the algorithm that the paper puts forward; the others are compared with it. Where
+    `evaluations` is given, it is the budget of a run in place of the iterations.
     """
 
     name: str
@@ -42,6 +43,7 @@ class Experiment:
     population: int
     iterations: int
     runs: int
+    evaluations: int | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -67,6 +69,11 @@ class Alternative:
         """Return what the pages say of it."""
         return self.says
 
+    @property
+    def changes(self) -> bool:
+        """Whether it changes anything that can be judged again."""
+        return bool(self.algorithms or self.problems or self.protocol or self.claims)
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Assumption:
@@ -77,6 +84,11 @@ class Assumption:
     alternatives: tuple["Alternative | str", ...]
     because: str
     where: str
+
+
+def as_alternative(alternative: Alternative | str) -> Alternative:
+    """Return an alternative that may be given in words alone."""
+    return Alternative(says=alternative) if isinstance(alternative, str) else alternative
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -116,8 +128,9 @@ class Paper:
 
     `inputs` are printed tables that the re-run starts from, `results` those whose every cell is
     claimed; `relations` say what printed numbers must be to each other; `readings` are motion
-    problems as the paper may also be read; `summary` says in one sentence what the paper reports;
-    `read_twice` that its tables were transcribed a second time, blind, and agree.
+    problems as the paper may also be read; `together` names the alternatives that are also tried
+    in every combination; `summary` says in one sentence what the paper reports; `read_twice` that
+    its tables were transcribed a second time, blind, and agree.
     """
 
     key: str
@@ -133,6 +146,7 @@ class Paper:
     figures: tuple["Figure", ...] = ()
     relations: tuple["Relation", ...] = ()
     readings: tuple[Reading, ...] = ()
+    together: tuple[str, ...] = ()
     read_twice: bool = False
 
     def __post_init__(self) -> None:
@@ -141,6 +155,7 @@ class Paper:
         self._refuse_unlisted_experiments()
         self._refuse_unclaimed_cells()
         self._refuse_readings_of_nothing()
+        self._refuse_idle_alternatives()
 
     def _refuse_ambiguous_names(self) -> None:
         names = [experiment.name for experiment in self.experiments]
@@ -162,6 +177,41 @@ class Paper:
                     f"{self.key}, reading {reading.name!r}: no problem {'/'.join(reading.of)}; "
                     f"problems: {names}"
                 )
+                raise DeclarationError(message)
+
+    def _refuse_idle_alternatives(self) -> None:
+        declared = [
+            alternative
+            for assumption in self.assumptions
+            for alternative in assumption.alternatives
+            if isinstance(alternative, Alternative)
+        ]
+        names = Counter(alternative.name for alternative in declared if alternative.changes)
+        for alternative in declared:
+            place = f"{self.key}, alternative {alternative.says!r}"
+            if bool(alternative.untried) == alternative.changes:
+                message = f"{place} needs either something that it changes, or why it is not tried"
+                raise DeclarationError(message)
+            if alternative.changes and (not alternative.name or "/" in alternative.name):
+                message = f"{place} needs a name without '/', not {alternative.name!r}"
+                raise DeclarationError(message)
+            if alternative.changes and names[alternative.name] > 1:
+                message = f"{place}: another alternative has the name {alternative.name!r} too"
+                raise DeclarationError(message)
+            self._refuse_changes_of_nothing(place, alternative)
+        if unknown := set(self.together) - set(names):
+            message = f"{self.key}, together: no alternatives {sorted(unknown)}; {sorted(names)}"
+            raise DeclarationError(message)
+
+    def _refuse_changes_of_nothing(self, place: str, alternative: Alternative) -> None:
+        known = {(e.name, name) for e in self.experiments for name in (*e.problems, *e.algorithms)}
+        for pair in (*alternative.algorithms, *alternative.problems):
+            if pair not in known:
+                message = f"{place}: no {'/'.join(pair)}; there is {sorted(known)}"
+                raise DeclarationError(message)
+        for name in alternative.protocol:
+            if name not in {e.name for e in self.experiments}:
+                message = f"{place}: no experiment {name!r}"
                 raise DeclarationError(message)
 
     def _refuse_unlisted_experiments(self) -> None:

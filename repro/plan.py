@@ -9,6 +9,7 @@ from repro.errors import InputError
 from repro.model import Experiment, Paper
 from repro.optimisers.search import Optimiser
 from repro.sources import source_digest
+from repro.studies import studies
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -26,36 +27,49 @@ class Task:
     subject: Any
     population: int
     iterations: int
+    evaluations: int | None = None
+    seed: str = ""
 
     @property
     def name(self) -> str:
-        """The name that seeds the run."""
+        """The name that seeds the run; another master seed stands before it."""
         parts = (self.paper, self.experiment, self.problem, self.algorithm, self.repeat, self.run)
-        return "/".join(map(str, parts))
+        return "/".join(map(str, (self.seed, *parts) if self.seed else parts))
 
 
-def plan(papers: Iterable[Paper], repeats: int) -> tuple[Task, ...]:
-    """Return every run of the papers' protocols, `repeats` times over, counted from 1."""
+def plan(papers: Iterable[Paper], repeats: int, seed: str = "") -> tuple[Task, ...]:
+    """Return every run of the papers' protocols, `repeats` times over, then of their studies.
+
+    Repeats are counted from 1; `seed` is a master seed, which makes every run another one.
+    """
     if repeats < 1:
         message = f"repeats is {repeats}; it must be 1 or more"
         raise InputError(message)
+    declared = tuple(papers)
+    protocols = [
+        (paper, experiment, repeats) for paper in declared for experiment in paper.experiments
+    ]
+    besides = [
+        (paper, study.experiment, study.repeats)
+        for paper in declared
+        for study in studies(paper, repeats)
+    ]
     return tuple(
         task
-        for paper in papers
-        for experiment in paper.experiments
+        for paper, experiment, times in (*protocols, *besides)
         for problem in experiment.problems
         for algorithm in experiment.algorithms
-        for task in _cell(paper.key, experiment, problem, algorithm, repeats)
+        for task in _cell(paper.key, experiment, problem, algorithm, times, seed)
     )
 
 
 def _cell(
-    paper: str, experiment: Experiment, problem: str, algorithm: str, repeats: int
+    paper: str, experiment: Experiment, problem: str, algorithm: str, repeats: int, seed: str
 ) -> Iterable[Task]:
     inputs = _inputs(experiment, problem, algorithm)
     for repeat in range(1, repeats + 1):
         for run in range(1, experiment.runs + 1):
-            place = (paper, experiment.name, problem, algorithm, repeat, run)
+            place = (seed, paper, experiment.name, problem, algorithm, repeat, run)
             yield Task(
                 paper=paper,
                 experiment=experiment.name,
@@ -68,6 +82,8 @@ def _cell(
                 subject=experiment.problems[problem],
                 population=experiment.population,
                 iterations=experiment.iterations,
+                evaluations=experiment.evaluations,
+                seed=seed,
             )
 
 
@@ -81,6 +97,7 @@ def _inputs(experiment: Experiment, problem: str, algorithm: str) -> str:
         repr(subject.identity),
         experiment.population,
         experiment.iterations,
+        experiment.evaluations,
         source_digest("repro.seeds", *sorted(modules)),
     )
 

@@ -2,6 +2,8 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import partial
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -58,6 +60,9 @@ class Contest:
 
     def ranks(self, evidence: Evidence) -> tuple[Vector, int]:
         """Return ranks (problems, algorithms, 1 + tables), the first repeat first, and repeats."""
+        return evidence.remember(self, partial(self._ranks, evidence))
+
+    def _ranks(self, evidence: Evidence) -> tuple[Vector, int]:
         from scipy.stats import rankdata  # noqa: PLC0415 (slow to load)
 
         ranked, repeats = [], []
@@ -76,6 +81,7 @@ class Contest:
 class MeanRank:
     """An algorithm's rank in a contest, averaged over the problems."""
 
+    follows: ClassVar[bool] = False
     contest: Contest
     algorithm: str
 
@@ -98,6 +104,7 @@ class MeanRank:
 class Place:
     """An algorithm's place by mean rank, 1 for the lowest; ties share the better place."""
 
+    follows: ClassVar[bool] = False
     contest: Contest
     algorithm: str
 
@@ -127,6 +134,7 @@ class Place:
 class Firsts:
     """On how many problems of a contest an algorithm is first, or shares that place."""
 
+    follows: ClassVar[bool] = False
     contest: Contest
     algorithm: str
 
@@ -155,6 +163,7 @@ class RankSum:
     the higher, else 0.
     """
 
+    follows: ClassVar[bool] = False
     experiment: str
     problems: tuple[str, ...]
     algorithm: str

@@ -37,10 +37,7 @@ def execute(task: Task) -> Record:
     start = time.perf_counter()
     try:
         result = task.optimiser.minimise(
-            task.subject,
-            population=task.population,
-            iterations=task.iterations,
-            rng=generator(task.name),
+            task.subject, population=task.population, rng=generator(task.name), **_budget(task)
         )
     except Exception as error:  # noqa: BLE001 (one run's fault must not cost the others)
         return _failed(task, f"{type(error).__name__}: {error}", time.perf_counter() - start)
@@ -55,6 +52,12 @@ def execute(task: Task) -> Record:
         evaluations=result.evaluations,
         seconds=seconds,
     )
+
+
+def _budget(task: Task) -> dict[str, int]:
+    if task.evaluations is None:
+        return {"iterations": task.iterations}
+    return {"evaluations": task.evaluations}
 
 
 def _failed(task: Task, reason: str, seconds: float) -> Record:

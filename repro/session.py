@@ -3,6 +3,7 @@
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import Executor
+from itertools import groupby
 
 import numpy as np
 
@@ -11,6 +12,7 @@ from repro.model import Paper
 from repro.plan import Task
 from repro.run import Record, run_all
 from repro.store import Store
+from repro.studies import Study
 
 
 def run_missing(
@@ -43,26 +45,49 @@ def run_missing(
     return failed
 
 
-def gather(store: Store, paper: Paper, tasks: Iterable[Task]) -> Evidence:
-    """Return the evidence of one paper: whole repeats only, in the order of their numbers."""
-    own = [task for task in tasks if task.paper == paper.key]
-    cells: dict[Cell, dict[int, list[Record]]] = defaultdict(lambda: defaultdict(list))
-    for record in store.records(own):
+def gather(
+    store: Store, paper: Paper, tasks: Iterable[Task], besides: Iterable[Study] = ()
+) -> Evidence:
+    """Return the evidence of one paper: whole repeats only, in the order of their numbers.
+
+    Tasks of one cell stand together, so that no more than one cell's records are held at once.
+    """
+    others = tuple(study.experiment for study in besides)
+    protocol = {experiment.name: experiment.runs for experiment in (*paper.experiments, *others)}
+    followed = {
+        cell
+        for claim in paper.claims
+        if claim.measure and claim.measure.follows
+        for cell in claim.measure.cells()
+    }
+    runs: dict[Cell, Runs] = {}
+    own = (task for task in tasks if task.paper == paper.key and task.experiment in protocol)
+    for cell, group in groupby(own, key=_cell):
+        found = _whole(store.records(group), protocol[cell[0]], follow=cell in followed)
+        if found:
+            runs[cell] = found
+    return Evidence(paper, runs, others)
+
+
+def _cell(task: Task) -> Cell:
+    return task.experiment, task.problem, task.algorithm
+
+
+def _whole(records: Iterable[Record], runs: int, *, follow: bool) -> Runs | None:
+    """Return the whole repeats; the histories of all of them, or of the first alone."""
+    by_repeat: dict[int, list[Record]] = defaultdict(list)
+    for record in records:
         if record.reason is None:
-            task = record.task
-            cells[task.experiment, task.problem, task.algorithm][task.repeat].append(record)
-    protocol = {experiment.name: experiment.runs for experiment in paper.experiments}
-    runs = {cell: _whole(by_repeat, protocol[cell[0]]) for cell, by_repeat in cells.items()}
-    return Evidence(paper, {cell: found for cell, found in runs.items() if found is not None})
-
-
-def _whole(by_repeat: dict[int, list[Record]], runs: int) -> Runs | None:
+            by_repeat[record.task.repeat].append(record)
     whole = [records for _, records in sorted(by_repeat.items()) if len(records) == runs]
     if not whole:
         return None
     return Runs(
         costs=np.array([[record.cost for record in records] for records in whole]),
         points=np.array([[record.x for record in records] for records in whole]),
-        histories=np.array([[record.history for record in records] for records in whole]),
+        histories=np.array(
+            [[record.history for record in records] for records in whole[: None if follow else 1]]
+        ),
         evaluations=whole[0][0].evaluations,
+        seconds=float(np.median([record.seconds for records in whole for record in records])),
     )

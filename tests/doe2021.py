@@ -4,7 +4,7 @@ from repro.claims import Sentence, every_cell, lowest_everywhere
 from repro.figures import Convergence, Motion
 from repro.functions import FUNCTIONS
 from repro.measures import Statistic
-from repro.model import Assumption, Erratum, Experiment, Gap, Paper, Source
+from repro.model import Alternative, Assumption, Erratum, Experiment, Gap, Paper, Source
 from repro.optimisers import PSO, WOA
 from repro.published import Printed, PublishedTable
 from repro.robotics import MinimumTime, quintic
@@ -111,12 +111,33 @@ PAPER = Paper(
             what="box of the durations",
             where="p. 9",
             chosen="0.5 s to 9 s",
-            alternatives=("any other",),
+            alternatives=(
+                Alternative(
+                    name="wide box",
+                    says="0.1 s to 20 s",
+                    problems={("motion", "arm"): {"durations": (0.1, 20.0)}},
+                ),
+                Alternative(says="any other", untried="there is no end of them"),
+            ),
+            because="none is printed",
+        ),
+        Assumption(
+            what="spiral",
+            where="p. 4",
+            chosen="b = 1",
+            alternatives=(
+                Alternative(
+                    name="tight spiral",
+                    says="b = 2",
+                    algorithms={("test", "WOA"): {"b": 2.0}, ("motion", "WOA"): {"b": 2.0}},
+                ),
+            ),
             because="none is printed",
         ),
     ),
     errata=(Erratum(where="Table 1", printed="1OO", used="100", because="a letter for a digit"),),
     gaps=(SIMULATOR,),
+    together=("wide box", "tight spiral"),
     figures=(
         Convergence(label="Fig. 1", caption="Cost over iterations", experiment="test"),
         Motion(label="Fig. 2", caption="Joints", problem=ARM, durations=(3.0,)),

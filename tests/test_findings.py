@@ -6,7 +6,7 @@ import pytest
 
 from repro.claims import Claim, Sentence
 from repro.evidence import Evidence, Runs
-from repro.findings import FLIPS, PROVISIONAL, Finding, _finding, judge_paper
+from repro.findings import FLIPS, PROVISIONAL, Finding, judge_paper, judged
 from repro.measures import Computed, Statistic
 from repro.model import Gap, Paper
 from repro.published import Printed, PublishedTable
@@ -165,7 +165,7 @@ def two_repeats(first: float, second: float) -> Finding:
     empty = np.zeros((2, 4, 1))
     costs = np.array([[first] * 4, [second] * 4])
     runs = Runs(costs=costs, points=empty, histories=empty, evaluations=1)
-    return _finding(claim, Evidence(PAPER, {("e", "p", "a"): runs}))
+    return judged(claim, Evidence(PAPER, {("e", "p", "a"): runs}))
 
 
 def test_verdict_that_flips_between_halves_of_the_repeats_is_undecided() -> None:

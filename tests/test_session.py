@@ -7,13 +7,14 @@ import numpy as np
 import pytest
 
 from repro.evidence import Evidence
+from repro.measures import Statistic
 from repro.model import Paper
 from repro.optimisers import WOA
 from repro.plan import Task, plan
 from repro.run import Record
 from repro.session import gather, run_missing
 from repro.store import Store
-from tests.small_papers import EXPERIMENT, PAPER, Failing, Guessing, searching
+from tests.small_papers import CLAIMS, EXPERIMENT, PAPER, Failing, Guessing, searching
 from tests.small_problems import small
 from tests.small_stores import content
 
@@ -134,12 +135,36 @@ def test_evidence_has_every_run_in_its_place(tmp_path: Path) -> None:
     assert found.runs.keys() == CELLS
     runs = found.runs["search", "bowl", "wide"]
     assert (runs.costs.shape, runs.points.shape) == ((2, 3), (2, 3, 2))
-    assert (runs.histories.shape, runs.evaluations) == ((2, 3, 5), 20)
+    assert (runs.histories.shape, runs.evaluations) == ((1, 3, 5), 20)
     with Store(tmp_path) as store:
-        (record,) = store.records([task for task in tasks if task.name.endswith("wide/2/3")])
-    assert runs.costs[1, 2] == record.cost
-    assert (runs.points[1, 2] == record.x).all()
-    assert (runs.histories[1, 2] == record.history).all()
+        first, second = store.records(
+            [t for t in tasks if t.name.endswith(("wide/1/3", "wide/2/3"))]
+        )
+    assert (runs.costs[:, 2] == [first.cost, second.cost]).all()
+    assert (runs.points[1, 2] == second.x).all()
+    assert (runs.histories[0, 2] == first.history).all()
+
+
+def test_histories_of_every_repeat_are_kept_where_a_claim_follows_the_search(
+    tmp_path: Path,
+) -> None:
+    measure = Statistic(
+        experiment="search",
+        problem="bowl",
+        algorithm="guess",
+        statistic="mean",
+        quantity="cost after 2 iterations",
+    )
+    claim = replace(CLAIMS[0], measure=measure)
+    paper = replace(PAPER, claims=(claim, *CLAIMS[1:]))
+    tasks = list(plan([paper], 2))
+    run(tmp_path, tasks)
+
+    found = gathered(tmp_path, paper, tasks)
+
+    assert found.runs["search", "bowl", "guess"].histories.shape == (2, 3, 5)
+    assert found.runs["search", "bowl", "wide"].histories.shape == (1, 3, 5)
+    assert found.values(("search", "bowl", "guess"), "cost after 2 iterations").shape == (2, 3)
 
 
 def test_repeat_that_is_not_whole_is_no_evidence(tmp_path: Path) -> None:

@@ -11,11 +11,13 @@ from repro.certify import certify
 from repro.evidence import Evidence
 from repro.findings import LEVEL, Finding, judge_paper
 from repro.measures import TABLES
-from repro.model import Paper
+from repro.model import Paper, as_alternative
 from repro.optimum import found_times, time_rows
 from repro.plan import Task
+from repro.readings import fingerprints, reached, varied_evidence
 from repro.report.drawing import Drawing, draw
 from repro.report.files import csv_text, usable_folder, write_file
+from repro.report.readings_view import readings_view
 from repro.report.results import (
     Json,
     merged,
@@ -28,13 +30,14 @@ from repro.report.view import comparisons, marks_by_cell, shown, table_view
 from repro.report.words import MEANINGS, SYMBOLS, anchor, number, raised
 from repro.session import gather
 from repro.store import Store
+from repro.studies import studies
 from repro.verdict import Verdict
 
 Files = dict[str, str]
 _COLUMNS = (
     *("table", "row", "column", "claim", "where", "printed", "unit", "value"),
     *("measured_low", "measured_high", "accepted_low", "accepted_high", "quantile", "repeats"),
-    *("verdict", "side", "note"),
+    *("verdict", "side", "note", "readings_tried", "within_reach_of"),
 )
 
 
@@ -51,7 +54,7 @@ def write_report(
     entries = []
     for paper in chosen:
         own = [task for task in tasks if task.paper == paper.key]
-        evidence = gather(store, paper, own)
+        evidence = gather(store, paper, own, studies(paper, max(task.repeat for task in own)))
         provenance = _provenance(evidence, store.environments(own))
         entries.append(_paper_files(paper, evidence, provenance, files))
     old = read_results(folder / "results.json")
@@ -75,7 +78,8 @@ def _provenance(evidence: Evidence, environments: list[dict[str, object]]) -> di
 def _paper_files(
     paper: Paper, evidence: Evidence, provenance: Mapping[str, object], files: Files
 ) -> Json:
-    findings = judge_paper(evidence)
+    varied = varied_evidence(evidence)
+    findings = judge_paper(evidence, varied)
     rows = audit(paper)
     certificates = certify(paper)
     drawings = [draw(figure, evidence, anchor(paper.key, figure.label)) for figure in paper.figures]
@@ -99,6 +103,7 @@ def _paper_files(
             (certificate, time_rows(certificate, found_times(certificate, evidence)))
             for certificate in certificates
         ],
+        "readings": readings_view(paper, findings, varied, fingerprints(evidence, varied)),
         "drawings": drawings,
         "level": LEVEL,
         "resampled_tables": TABLES,
@@ -134,6 +139,7 @@ def _render(name: str, context: Mapping[str, object]) -> str:
         "comparison_rows": lambda c: [(problem, *texts) for problem, texts in c.rows],
         "run_again": run_again,
         "cell": _markdown,
+        "alternative": as_alternative,
     }
     environment.globals |= {"SYMBOLS": SYMBOLS, "MEANINGS": MEANINGS, "VERDICTS": tuple(Verdict)}
     return environment.get_template(f"{name}.jinja").render(context)
@@ -184,4 +190,5 @@ def _csv_row(finding: Finding) -> tuple[object, ...]:
         finding.table, finding.row, finding.column, finding.claim, finding.where, finding.printed,
         finding.unit, finding.value, low, high, *finding.accepted, finding.quantile,
         finding.repeats, finding.verdict, finding.side, finding.note,
+        len(finding.readings), "; ".join(reached(finding)),
     )  # fmt: skip

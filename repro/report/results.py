@@ -10,7 +10,7 @@ from typing import Any
 from repro.audit import AuditRow
 from repro.certify import Certificate
 from repro.findings import Finding
-from repro.model import Paper
+from repro.model import Assumption, Paper, as_alternative
 
 SCHEMA = 1
 Json = dict[str, Any]
@@ -33,7 +33,7 @@ def paper_result(
         "findings": _plain(findings),
         "audit": _plain(audit),
         "certificates": _plain(certificates),
-        "assumptions": _plain(paper.assumptions),
+        "assumptions": [_assumption(assumption) for assumption in paper.assumptions],
         "errata": _plain(paper.errata),
         "gaps": _plain(paper.gaps),
     }
@@ -41,6 +41,20 @@ def paper_result(
 
 def _plain(rows: Iterable[Any]) -> list[Json]:
     return [dataclasses.asdict(row) for row in rows]
+
+
+def _assumption(assumption: Assumption) -> Json:
+    """Return an assumption in words: what its alternatives change is code."""
+    return {
+        "what": assumption.what,
+        "where": assumption.where,
+        "chosen": assumption.chosen,
+        "alternatives": [
+            {"says": str(each), "reading": each.name, "untried": each.untried}
+            for each in map(as_alternative, assumption.alternatives)
+        ],
+        "because": assumption.because,
+    }
 
 
 def merged(fresh: Iterable[Json], old: Json | None, order: Iterable[str]) -> Json:

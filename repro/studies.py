@@ -1,0 +1,56 @@
+"""What is run besides the papers' protocols: other readings of them."""
+
+from dataclasses import dataclass, replace
+from typing import Literal
+
+from repro.model import Experiment, Paper
+from repro.variations import changed_part, variations
+
+Kind = Literal["reading", "shift", "baseline", "equal budget"]
+PER_STUDY = 10  # repeats of the protocol for one repeat of a study
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Study:
+    """An experiment that departs from one of the protocol, and how often it is repeated.
+
+    `of` names the experiment of the protocol, `departs` says in what this one differs from it.
+    """
+
+    kind: Kind
+    of: str
+    departs: str
+    experiment: Experiment
+    repeats: int
+
+
+def studies(paper: Paper, repeats: int) -> tuple[Study, ...]:
+    """Return what is run besides the protocol when that is repeated `repeats` times.
+
+    A single repeat is a quick look, for which nothing else is run.
+    """
+    if repeats < 2:
+        return ()
+    return _readings(paper, max(1, repeats // PER_STUDY))
+
+
+def study_name(experiment: str, departs: str) -> str:
+    """Return the name of an experiment that departs from one of the protocol."""
+    return f"{experiment} [{departs}]"
+
+
+def _readings(paper: Paper, repeats: int) -> tuple[Study, ...]:
+    return tuple(
+        Study(
+            kind="reading",
+            of=experiment.name,
+            departs=variation.name,
+            experiment=replace(part, name=study_name(experiment.name, variation.name)),
+            repeats=repeats,
+        )
+        for variation in variations(paper)
+        for experiment in paper.experiments
+        # where fewer than all of a combination bear on an experiment, that smaller one has its runs
+        if len(variation.touching(experiment.name).alternatives) == len(variation.alternatives)
+        and (part := changed_part(experiment, variation))
+    )

@@ -1,0 +1,31 @@
+from repro.findings import judge_paper
+from repro.readings import fingerprints, varied_evidence
+from repro.report.readings_view import ReadingsView, readings_view
+from tests.test_readings import WIDER, evidence, open_paper
+
+
+def view(**costs: float) -> ReadingsView:
+    found = evidence(open_paper(WIDER), **costs)
+    varied = varied_evidence(found)
+    return readings_view(
+        found.paper, judge_paper(found, varied), varied, fingerprints(found, varied)
+    )
+
+
+def test_contradicted_numbers_are_split_by_whether_a_reading_reaches_them() -> None:
+    shown = view(guess=5.0, wider=0.05)
+
+    assert shown.contradicted == shown.within_reach + shown.out_of_reach + shown.untouched
+    assert (shown.within_reach, shown.untouched) == (1, 1)  # the column wide has a wrong std
+    assert [(row.name, row.tried, row.reached) for row in shown.rows] == [("wider", 2, 1)]
+
+
+def test_fingerprint_names_its_column_and_the_nearest_reading() -> None:
+    shown = view(guess=5.0, wider=0.05)
+
+    assert [row[:2] for row in shown.prints] == [("Table 1", "guess")]
+    assert shown.prints[0][4] == "wider"
+
+
+def test_paper_whose_readings_were_not_run_shows_none() -> None:
+    assert view(guess=5.0).rows == ()

@@ -1,0 +1,49 @@
+from dataclasses import replace
+
+from repro.model import Alternative, Assumption
+from repro.plan import plan
+from repro.studies import studies, study_name
+from tests.small_papers import PAPER
+
+OPEN = Assumption(
+    what="width",
+    chosen="ours",
+    alternatives=(
+        Alternative(
+            name="wider", says="three times", algorithms={("search", "guess"): {"width": 3.0}}
+        ),
+    ),
+    because="so",
+    where="p. 3",
+)
+OPEN_PAPER = replace(PAPER, assumptions=(OPEN,))
+
+
+def test_single_repeat_is_a_quick_look_without_studies() -> None:
+    assert studies(OPEN_PAPER, 1) == ()
+
+
+def test_other_reading_runs_what_it_changes_under_a_name_of_its_own() -> None:
+    reading = next(study for study in studies(OPEN_PAPER, 2) if study.kind == "reading")
+
+    assert (reading.of, reading.departs) == ("search", "wider")
+    assert reading.experiment.name == study_name("search", "wider") == "search [wider]"
+    assert set(reading.experiment.algorithms) == {"guess"}
+
+
+def test_studies_are_repeated_once_for_ten_repeats_of_the_protocol() -> None:
+    repeats = {
+        count: {study.repeats for study in studies(OPEN_PAPER, count) if study.kind == "reading"}
+        for count in (2, 10, 19, 20)
+    }
+
+    assert repeats == {2: {1}, 10: {1}, 19: {1}, 20: {2}}
+
+
+def test_runs_of_a_study_come_after_every_protocol_and_have_seeds_of_their_own() -> None:
+    tasks = plan([OPEN_PAPER, replace(OPEN_PAPER, key="other2021")], 2)
+    names = [task.name for task in tasks]
+
+    first = next(i for i, task in enumerate(tasks) if "[" in task.experiment)
+    assert all("[" in task.experiment for task in tasks[first:])
+    assert len(set(names)) == len(names)
