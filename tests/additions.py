@@ -7,6 +7,7 @@ from repro.optimisers import HybridWOA, SlimeWOA
 ADDITIONS = (
     HybridWOA(start="tent"),
     HybridWOA(start="tent across"),
+    HybridWOA(start="tent chain"),
     HybridWOA(control="quadratic"),
     HybridWOA(spiral=(2.0, 0.5)),
     HybridWOA(probability="cosine"),
@@ -16,6 +17,7 @@ ADDITIONS = (
     HybridWOA(spiral_range="symmetric"),
     HybridWOA(differential=0.4),
     HybridWOA(genetic=0.3),
+    HybridWOA(genetic=0.3, partner="best"),
     HybridWOA(disturbance=0.2),
 )
 TOGETHER = HybridWOA(

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from repro.draws import below, next_word, normal, state_from, uniform
-from repro.optimisers.hybrid_whale import tent
+from repro.optimisers.tent_map import tent
 
 WORD = 2**64
 State = NDArray[np.uint64]

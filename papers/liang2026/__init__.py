@@ -4,13 +4,8 @@ from dataclasses import replace
 from functools import partial
 
 from papers.liang2026.experiments import BENCHMARK, DH, FANUC, IWOA, MOTION
-from papers.liang2026.open_points import (
-    ASSUMPTIONS,
-    ERRATA,
-    PHYSICAL_ARM,
-    ROBOGUIDE,
-    TOOL_ERROR,
-)
+from papers.liang2026.misprints import ERRATA, PHYSICAL_ARM, ROBOGUIDE, TOOL_ERROR
+from papers.liang2026.open_points import ASSUMPTIONS, TOGETHER
 from papers.liang2026.printed import (
     BASELINE,
     TABLE_II,
@@ -21,27 +16,18 @@ from papers.liang2026.printed import (
     TIME_SAVED,
 )
 from papers.liang2026.relations import RELATIONS
+from papers.liang2026.tool import tool_positions
 from repro.claims import Sentence, computed_cells, every_cell, lowest_everywhere
 from repro.figures import Convergence, Motion, ToolPath
 from repro.measures import Computed, Reduction, Statistic
 from repro.model import Paper, Source
 from repro.published import Printed
 from repro.robotics import peak
-from repro.robotics.kinematics import tool_coordinate
 from repro.verdict import ZERO_STD, Absolute, Between, Fitness, Percent
 
 __all__ = ["FANUC", "IWOA", "PAPER"]
 
 BASELINE_SECONDS = tuple(duration.si for duration in BASELINE)
-
-
-def tool_position(waypoint: str, axis: str) -> Computed:
-    """Return the measure of one cell of Table IV: the pose that Table V gives through Table III."""
-    joints = TABLE_V.column(waypoint)
-    return Computed(
-        how=f"{axis} of the tool at {waypoint} by Tables III and V, standard convention",
-        value=partial(tool_coordinate, DH, joints, axis),
-    )
 
 
 def baseline_time(_row: str, column: str) -> Computed:
@@ -68,9 +54,6 @@ BASELINE_TOTAL = baseline_time("Fifth-order polynomial", "Total Time t")
 # by decades from one batch to the next; a quarter of the value elsewhere.
 FITNESS = Fitness(decades=1, near_zero=0.01, percent=25)
 FITNESS_STD = replace(FITNESS, zero=ZERO_STD)
-# Four decimals of a radian in five joints, 3.5 m from the base, move the tool by 0.9 mm at most.
-TOOL = Absolute(0.001)
-
 SENTENCES = (
     *lowest_everywhere(
         BENCHMARK,
@@ -194,7 +177,7 @@ PAPER = Paper(
             within=FITNESS,
             std_within=FITNESS_STD,
         ),
-        *computed_cells(TABLE_IV, measure=tool_position, within=TOOL),
+        *tool_positions("standard"),
         *computed_cells(
             TABLE_VI,
             measure=baseline_time,
@@ -245,4 +228,5 @@ PAPER = Paper(
         ),
     ),
     relations=RELATIONS,
+    together=TOGETHER,
 )

@@ -1,22 +1,17 @@
-"""Liang et al.: what the paper leaves open, misprints, or keeps to itself."""
+"""Liang et al.: what the paper leaves open."""
 
-from repro.model import Assumption, Erratum, Gap
+from collections.abc import Mapping
 
-ROBOGUIDE = Gap(
-    what="times in the RoboGuide simulation (18 % less)",
-    where="section V-C 1) and section VI",
-    because="the waypoints P1 to P4, the times and the planned motion are not printed",
-)
-PHYSICAL_ARM = Gap(
-    what="times on the physical arm (16.4 % less)",
-    where="section V-C 2) and section VI",
-    because="the waypoints P1 to P4 and the measured times are not printed, and it needs the arm",
-)
-TOOL_ERROR = Gap(
-    what="position error of the physical arm (within 2 mm)",
-    where="section V-C 2) and section VI",
-    because="no measured positions are printed, and it needs the arm",
-)
+from papers.liang2026.experiments import BENCHMARK, MOTION
+from papers.liang2026.tool import tool_positions
+from repro.model import Alternative, Assumption
+from repro.optimisers import HybridWOA
+
+
+def both(algorithm: str, change: object) -> Mapping[tuple[str, str], object]:
+    """Return a change of an algorithm in both experiments."""
+    return {("benchmark", algorithm): change, ("motion", algorithm): change}
+
 
 ASSUMPTIONS = (
     Assumption(
@@ -30,7 +25,13 @@ ASSUMPTIONS = (
         what="Denavit-Hartenberg convention",
         where="Table III, Eqs. (20)-(21)",
         chosen="standard",
-        alternatives=("modified, as the headings a_{i-1}, α_{i-1} and Eq. (20) say",),
+        alternatives=(
+            Alternative(
+                name="modified D-H",
+                says="modified, as the headings a_{i-1}, α_{i-1} and Eq. (20) say",
+                claims=tool_positions("modified"),
+            ),
+        ),
         because="the standard one comes near the waypoints of Table IV, the modified one does not: "
         "the audit gives both distances in mm",
     ),
@@ -39,21 +40,54 @@ ASSUMPTIONS = (
         where="section III-D",
         chosen="the authors' programs with their defaults (PSO: the one of the wolf and whale "
         "toolboxes)",
-        alternatives=("other published variants", "parameters tuned per function"),
+        alternatives=(
+            Alternative(
+                name="WOA by its equations",
+                says="WOA as its paper's equations say: one random whale for all coordinates, l "
+                "uniform in [-1, 1]",
+                algorithms=both("WOA", HybridWOA(leader="per whale", spiral_range="symmetric")),
+            ),
+            Alternative(
+                name="PSO clipped",
+                says="PSO with every particle held in the box",
+                algorithms={("benchmark", "PSO"): {"clip": "every particle"}},
+            ),
+            Alternative(
+                says="parameters tuned per function",
+                untried="nothing in the text says so, and there is no end of settings",
+            ),
+        ),
         because="the paper gives neither parameters nor programs",
     ),
     Assumption(
         what="DBO group sizes for 50 beetles",
         where="section III-D",
         chosen="10, 2, 7 and 31, as its authors' program makes them",
-        alternatives=("in proportion to the 30 that the program is made for: 10, 10, 11, 19",),
+        alternatives=(
+            Alternative(
+                name="DBO in proportion",
+                says="in proportion to the 30 that the program is made for: 10, 10, 11, 19",
+                algorithms={("benchmark", "DBO"): {"groups": "proportional"}},
+            ),
+        ),
         because="the program fixes two group ends for a population of 30",
     ),
     Assumption(
         what="course of the Tent map (Eq. 13) over the population",
         where="Eq. (13)",
         chosen="one chain per coordinate, running through the whales, from a uniform start",
-        alternatives=("one chain per whale, running through its coordinates", "one chain for all"),
+        alternatives=(
+            Alternative(
+                name="Tent chain per whale",
+                says="one chain per whale, running through its coordinates",
+                algorithms=both("IWOA", {"start": "tent across"}),
+            ),
+            Alternative(
+                name="one Tent chain",
+                says="one chain for all",
+                algorithms=both("IWOA", {"start": "tent chain"}),
+            ),
+        ),
         because="with slope 2 a chain of doubles loses one bit a step and stays at 0 after about "
         "53 steps, so one chain for all would put most whales on a corner of the box",
     ),
@@ -61,28 +95,62 @@ ASSUMPTIONS = (
         what="what p_t selects (Eq. 16)",
         where="Eq. (16)",
         chosen="encircling or searching with probability p_t, else the spiral",
-        alternatives=("the spiral with probability p_t",),
+        alternatives=(
+            Alternative(
+                name="p_t selects the spiral",
+                says="the spiral with probability p_t",
+                algorithms=both("IWOA", {"probability_selects": "spiral"}),
+            ),
+        ),
         because="p_t takes the place of the 0.5 below which WOA encircles",
     ),
     Assumption(
         what="A and C: one number per whale or a vector",
         where="Eqs. (8)-(12)",
         chosen="one number per whale, from independent draws",
-        alternatives=("a fresh number for every coordinate",),
+        alternatives=(
+            Alternative(
+                name="vector coefficients",
+                says="a fresh number for every coordinate",
+                algorithms=both("IWOA", {"coefficients": "vector"}),
+            ),
+        ),
         because="they are called vectors, but r is called a number and |A| is compared with 1",
     ),
     Assumption(
         what="random whale of Eqs. (11)-(12) and range of l in Eq. (10)",
         where="Eqs. (10)-(12)",
         chosen="one whale for all coordinates; l uniform in [-1, 1]",
-        alternatives=("as WOA's program: a new whale per coordinate, l from a shrinking range",),
+        alternatives=(
+            Alternative(
+                name="as WOA's program",
+                says="as WOA's program: a new whale per coordinate, l from a shrinking range",
+                algorithms=both("IWOA", {"leader": "per dimension", "spiral_range": "shrinking"}),
+            ),
+        ),
         because="the text says so; it concerns IWOA only, the column WOA is the program",
     ),
     Assumption(
         what="share of whales that differential evolution acts on, F and CR",
         where="Eqs. (17)-(18), step 5",
         chosen="the worse half; F = 0.5, CR = 0.9",
-        alternatives=("all whales", "F from 0.4 to 0.9, CR from 0.6 to 0.95"),
+        alternatives=(
+            Alternative(
+                name="evolution of all",
+                says="all whales",
+                algorithms=both("IWOA", {"differential": 1.0}),
+            ),
+            Alternative(
+                name="least F and CR",
+                says="F = 0.4, CR = 0.6, the lower ends of the printed ranges",
+                algorithms=both("IWOA", {"scale": 0.4, "crossover": 0.6}),
+            ),
+            Alternative(
+                name="greatest F and CR",
+                says="F = 0.9, CR = 0.95, the upper ends of the printed ranges",
+                algorithms=both("IWOA", {"scale": 0.9, "crossover": 0.95}),
+            ),
+        ),
         because="the text says some individuals and prints usual ranges; these are the common "
         "settings inside them",
     ),
@@ -91,14 +159,41 @@ ASSUMPTIONS = (
         where="Eq. (19), step 6",
         chosen="the better half, each with a random other whale, α uniform per pair, standard "
         "deviation 1 % of the box",
-        alternatives=("all whales", "the best whale as partner", "0.1 % or 10 % of the box"),
+        alternatives=(
+            Alternative(
+                name="crossover of all",
+                says="all whales",
+                algorithms=both("IWOA", {"genetic": 1.0}),
+            ),
+            Alternative(
+                name="crossover with the best",
+                says="the best whale as partner",
+                algorithms=both("IWOA", {"partner": "best"}),
+            ),
+            Alternative(
+                name="small perturbation",
+                says="0.1 % of the box",
+                algorithms=both("IWOA", {"mutation": 0.001}),
+            ),
+            Alternative(
+                name="large perturbation",
+                says="10 % of the box",
+                algorithms=both("IWOA", {"mutation": 0.1}),
+            ),
+        ),
         because="the text says some individuals and gives no number",
     ),
     Assumption(
         what="whether a candidate must be better to replace its parent",
         where="steps 5 to 7",
         chosen="yes (greedy)",
-        alternatives=("it always replaces its parent",),
+        alternatives=(
+            Alternative(
+                name="not greedy",
+                says="it always replaces its parent",
+                algorithms=both("IWOA", {"greedy": False}),
+            ),
+        ),
         because="differential evolution is greedy in its source",
     ),
     Assumption(
@@ -106,14 +201,34 @@ ASSUMPTIONS = (
         where="section III-B 1)",
         chosen="one trial per iteration, one Tent step from a uniform start per coordinate, "
         "amplitude 1 % of the box falling linearly to 0, kept if better",
-        alternatives=("another amplitude or course",),
+        alternatives=(
+            Alternative(
+                name="small disturbance",
+                says="0.1 % of the box",
+                algorithms=both("IWOA", {"disturbance": 0.001}),
+            ),
+            Alternative(
+                name="large disturbance",
+                says="10 % of the box",
+                algorithms=both("IWOA", {"disturbance": 0.1}),
+            ),
+        ),
         because="the text says small and gradually reduced",
     ),
     Assumption(
         what="evaluations",
         where="section III-D",
         chosen="500 iterations for every algorithm, whatever they cost",
-        alternatives=("equal numbers of evaluations",),
+        alternatives=(
+            Alternative(
+                name="equal evaluations",
+                says="as many evaluations for every algorithm as WOA spends",
+                protocol={
+                    "benchmark": {"evaluations": BENCHMARK.population * BENCHMARK.iterations},
+                    "motion": {"evaluations": MOTION.population * MOTION.iterations},
+                },
+            ),
+        ),
         because="the paper fixes iterations; the additions make IWOA spend about twice as many "
         "evaluations as the others",
     ),
@@ -121,57 +236,54 @@ ASSUMPTIONS = (
         what="bounds of the benchmark searches",
         where="section III-D",
         chosen="a whale outside the box is put on its edge when it is next evaluated",
-        alternatives=("reflection", "a random new place"),
+        alternatives=(
+            Alternative(
+                says="reflection",
+                untried="the programs of all five put an agent on the edge; another rule would be "
+                "another program",
+            ),
+            Alternative(says="a random new place", untried="as for reflection"),
+        ),
         because="the text is silent; this is what WOA's program does",
     ),
     Assumption(
         what="range in which a duration is sought",
         where="section IV-C",
         chosen="0.1 s to 5 s per segment",
-        alternatives=("any other range that holds the optimum",),
+        alternatives=(
+            Alternative(
+                name="durations to 10 s",
+                says="0.1 s to 10 s, the whole time before optimisation",
+                problems={("motion", "FANUC"): {"durations": (0.1, 10.0)}},
+            ),
+            Alternative(
+                name="durations from 1 s",
+                says="1 s to 5 s",
+                problems={("motion", "FANUC"): {"durations": (1.0, 5.0)}},
+            ),
+        ),
         because="the text is silent; 5 s is the duration before optimisation",
     ),
     Assumption(
         what="handling of motions that break a limit",
         where="Eq. (7), section IV-C",
         chosen="any motion that obeys comes before any that does not, and these by excess",
-        alternatives=("a penalty per unit of excess", "one flat cost"),
+        alternatives=(
+            Alternative(
+                name="penalty for excess",
+                says="a penalty of 1000 s per unit of relative excess",
+                problems={("motion", "FANUC"): {"handling": "penalty"}},
+            ),
+            Alternative(
+                name="flat cost",
+                says="one flat cost",
+                problems={("motion", "FANUC"): {"handling": "rejection"}},
+            ),
+        ),
         because="the text is silent; this rule has no weight to choose",
     ),
 )
 
-ERRATA = (
-    Erratum(
-        where="Table I, F12",
-        printed="10 sin²(π (x_1+1)/4), Σ ((x_i+1)/4)² closed before the factor 1 + 10 sin²(π "
-        "(x_n+1)/4), which so multiplies the sum once",
-        used="Generalized penalized function 1 with y_i = 1 + (x_i+1)/4 and the factor "
-        "1 + 10 sin²(π y_{i+1}) inside the sum (Yao, Liu & Lin 1999)",
-        because="the name, box, constants and optimum are those of that function",
-    ),
-    Erratum(
-        where="Eqs. (20)-(21)",
-        printed="last row 0 0 0 0, in Eq. (20) and in the first matrix of Eq. (21)",
-        used="0 0 0 1",
-        because="a homogeneous transformation ends in 0 0 0 1, as the other matrices do",
-    ),
-    Erratum(
-        where="Table III against Table IV",
-        printed="d_1 = 490",
-        used="490, as printed",
-        because="the tables do not quite agree: the audit gives the gap and the one constant that "
-        "would close it; the re-run keeps the print",
-    ),
-    Erratum(
-        where="section III-D",
-        printed="Kent map",
-        used="Tent map",
-        because="section III-B and Eq. (13) say Tent",
-    ),
-    Erratum(
-        where="section III-C, step 4",
-        printed="Eqs. (9) and (10) encircle, (11) is the spiral, (12) and (13) search",
-        used="(8)-(9) encircle, (10) is the spiral, (11)-(12) search",
-        because="that is what the numbered equations say; (13) is the Tent map",
-    ),
-)
+# Those on which the text is most at odds with itself: it calls A and C vectors, makes p_t take the
+# place of WOA's 0.5 without saying of what, and leaves open who evolves.
+TOGETHER = ("p_t selects the spiral", "vector coefficients", "evolution of all")

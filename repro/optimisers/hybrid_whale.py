@@ -19,8 +19,9 @@ from repro.compiled import jit
 from repro.draws import below, normal, uniform
 from repro.errors import InputError
 from repro.optimisers.choices import check_choices
-from repro.optimisers.population import clip, copy_into, uniform_population
+from repro.optimisers.population import clip, copy_into
 from repro.optimisers.search import Budget, Problem, Result, Spending, search
+from repro.optimisers.tent_map import STARTS, Start, started, tent
 
 _LEAST = 4  # rand/1/bin needs three whales besides the one that it changes
 
@@ -43,14 +44,15 @@ _LEAST = 4  # rand/1/bin needs three whales besides the one that it changes
     MUTATION,
     GREEDY,
     DISTURBANCE,
-) = range(16)
+    PARTNER,
+) = range(17)
 
 
 @jit
 def _hybrid(cost, data, bounds, population, iterations, parameters, state):
     worst, fittest = int(parameters[WORST]), int(parameters[FITTEST])
     disturbance = parameters[DISTURBANCE]
-    X = _start(bounds, population, parameters[START], state)
+    X = started(bounds, population, parameters[START], state)
     costs = np.empty(population)
     best = np.zeros(bounds.shape[0])
     best_cost = np.inf
@@ -74,34 +76,6 @@ def _hybrid(cost, data, bounds, population, iterations, parameters, state):
 
 
 @jit
-def tent(z):
-    """Return the next value of the Tent map with slope 2 on [0, 1]."""
-    return z / 0.5 if z < 0.5 else (1.0 - z) / 0.5
-
-
-@jit
-def _start(bounds, population, kind, state):
-    if kind == 0.0:
-        return uniform_population(bounds, population, state)
-    n = bounds.shape[0]
-    Z = np.empty((population, n))
-    if kind == 1.0:
-        for j in range(n):
-            Z[0, j] = uniform(state)
-            for i in range(1, population):
-                Z[i, j] = tent(Z[i - 1, j])
-    else:
-        for i in range(population):
-            Z[i, 0] = uniform(state)
-            for j in range(1, n):
-                Z[i, j] = tent(Z[i, j - 1])
-    for j in range(n):
-        for i in range(population):
-            Z[i, j] = bounds[j, 0] + (bounds[j, 1] - bounds[j, 0]) * Z[i, j]
-    return Z
-
-
-@jit
 def _differential(X, i, F, CR, state):
     population, n = X.shape
     r1 = r2 = r3 = i
@@ -119,16 +93,17 @@ def _differential(X, i, F, CR, state):
 
 
 @jit
-def _crossover(X, i, bounds, sigma, state):
+def _crossover(X, i, best, with_best, bounds, sigma, state):
     population, n = X.shape
     k = i
-    while k == i:
+    while k == i and not with_best:
         k = below(population, state)
     alpha = uniform(state)
     child = np.empty(n)
     for j in range(n):
         width = bounds[j, 1] - bounds[j, 0]
-        child[j] = alpha * X[i, j] + (1.0 - alpha) * X[k, j] + sigma * width * normal(state)
+        other = best[j] if with_best else X[k, j]
+        child[j] = alpha * X[i, j] + (1.0 - alpha) * other + sigma * width * normal(state)
     return child
 
 
@@ -144,7 +119,8 @@ def _evolve(cost, data, bounds, X, costs, best, best_cost, parameters, state):
             candidate = _differential(X, i, parameters[SCALE], parameters[CROSSOVER], state)
         else:
             i = order[rank - worst]
-            candidate = _crossover(X, i, bounds, parameters[MUTATION], state)
+            with_best = parameters[PARTNER] == 1.0
+            candidate = _crossover(X, i, best, with_best, bounds, parameters[MUTATION], state)
         clip(candidate, bounds)
         value = cost(candidate, data)
         if value < costs[i] or parameters[GREEDY] == 0.0:
@@ -225,10 +201,10 @@ class HybridWOA:
     of the chance which `probability_selects` names; `coefficients` says whether A and C are drawn
     per whale or per coordinate, `leader` the same of X_rand; `spiral_range` is that of l.
     `differential` and `genetic` are shares of the population, `scale` and `crossover` F and CR,
-    `mutation` and `disturbance` shares of the width of the box.
+    `mutation` and `disturbance` shares of the width of the box; `partner` is the one to cross with.
     """
 
-    start: Literal["uniform", "tent", "tent across"] = "uniform"
+    start: Start = "uniform"
     control: Literal["linear", "quadratic"] = "linear"
     spiral: tuple[float, float] = (1.0, 1.0)
     probability: Literal["constant", "cosine"] = "constant"
@@ -243,6 +219,7 @@ class HybridWOA:
     mutation: float = 0.01
     greedy: bool = True
     disturbance: float = 0.0
+    partner: Literal["random", "best"] = "random"
 
     def __post_init__(self) -> None:
         """Raise InputError for a share outside [0, 1], or an unknown word."""
@@ -276,7 +253,7 @@ class HybridWOA:
     def _parameters(self, population: int) -> tuple[float, ...]:
         worst, fittest = self._counts(population)
         return (
-            ("uniform", "tent", "tent across").index(self.start),
+            STARTS.index(self.start),
             self.control == "quadratic",
             *self.spiral,
             self.probability == "cosine",
@@ -291,4 +268,5 @@ class HybridWOA:
             self.mutation,
             self.greedy,
             self.disturbance,
+            self.partner == "best",
         )

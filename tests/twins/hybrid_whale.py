@@ -12,7 +12,7 @@ Bounds = Sequence[tuple[float, float]]
 class _Additions:
     """What is added to the whale; shares are of the population, mutation of the box width."""
 
-    start: Literal["uniform", "tent", "tent across"] = "uniform"
+    start: Literal["uniform", "tent", "tent across", "tent chain"] = "uniform"
     control: Literal["linear", "quadratic"] = "linear"
     spiral: tuple[float, float] = (1.0, 1.0)
     probability: Literal["constant", "cosine"] = "constant"
@@ -27,6 +27,7 @@ class _Additions:
     mutation: float = 0.01
     greedy: bool = True
     disturbance: float = 0.0
+    partner: Literal["random", "best"] = "random"
 
 
 def hybrid_whale(
@@ -123,7 +124,8 @@ def _recombined(herd: _Herd, i: int, additions: _Additions) -> list[float]:
 
 def _blended(herd: _Herd, i: int, additions: _Additions) -> list[float]:
     """Return an arithmetic crossover with another whale, plus normal mutation."""
-    partner = herd.x[herd.index_outside({i})]
+    crossed = additions.partner == "best"
+    partner = list(herd.best_x) if crossed else herd.x[herd.index_outside({i})]
     alpha = herd.uniform()
     child = []
     for own, other, (lower, upper) in zip(herd.x[i], partner, herd.bounds, strict=True):
@@ -262,6 +264,18 @@ def _tent_positions_across(
     return x
 
 
+def _tent_chain(bounds: Bounds, population: int, uniform: Callable[[], float]) -> list[list[float]]:
+    """Return positions along one tent orbit through all dimensions of all whales."""
+    x: list[list[float]] = []
+    z = uniform()
+    for _ in range(population):
+        x.append([])
+        for lower, upper in bounds:
+            x[-1].append(lower + (upper - lower) * z)
+            z = _tent(z)
+    return x
+
+
 def _tent(z: float) -> float:
     return z / 0.5 if z < 0.5 else (1.0 - z) / 0.5
 
@@ -274,5 +288,6 @@ _START = {
     "uniform": _uniform_positions,
     "tent": _tent_positions,
     "tent across": _tent_positions_across,
+    "tent chain": _tent_chain,
 }
 _MOVE = {"scalar": _move_by_scalars, "vector": _move_by_vectors}
