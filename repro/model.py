@@ -81,14 +81,9 @@ class Assumption:
 
     what: str
     chosen: str
-    alternatives: tuple["Alternative | str", ...]
+    alternatives: tuple[Alternative, ...]
     because: str
     where: str
-
-
-def as_alternative(alternative: Alternative | str) -> Alternative:
-    """Return an alternative that may be given in words alone."""
-    return Alternative(says=alternative) if isinstance(alternative, str) else alternative
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -184,7 +179,6 @@ class Paper:
             alternative
             for assumption in self.assumptions
             for alternative in assumption.alternatives
-            if isinstance(alternative, Alternative)
         ]
         names = Counter(alternative.name for alternative in declared if alternative.changes)
         for alternative in declared:

@@ -3,7 +3,8 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial
-from typing import ClassVar
+from types import MappingProxyType
+from typing import ClassVar, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +20,14 @@ from repro.verdict import Between
 Vector = NDArray[np.float64]
 TEST_TABLES = 400  # resampled tables per test: its 2.5 % tail then holds 10 of them
 LEVEL = 0.05
+Samples = Literal["all runs", "averages", "each problem"]
+SAMPLES: Mapping[Samples, str] = MappingProxyType(
+    {
+        "all runs": "all runs on all problems together",
+        "averages": "the averages of the problems",
+        "each problem": "problem by problem, p-values averaged",
+    }
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -156,11 +165,13 @@ class Firsts:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RankSum:
-    """Wilcoxon's rank-sum test of all runs of one algorithm on all problems against another's.
+    """Wilcoxon's rank-sum test of one algorithm against another over several problems.
 
-    The p-value is two-sided, by the normal approximation with tie and continuity correction. As a
-    `sign` it is 1 where the algorithm's costs are the lower at the 5 % level, -1 where they are
-    the higher, else 0.
+    `samples` says what is compared: all runs on all problems together, the averages of the
+    problems, or the runs problem by problem, whose p-values are then averaged. The p-value is
+    two-sided, by the normal approximation with tie and continuity correction. As a `sign` it is
+    1 where the algorithm's costs are the lower at the 5 % level, -1 where they are the higher, else
+    0.
     """
 
     follows: ClassVar[bool] = False
@@ -169,14 +180,15 @@ class RankSum:
     algorithm: str
     against: str
     sign: bool = False
+    samples: Samples = "all runs"
 
     @property
     def words(self) -> str:
         """What is measured, as a phrase."""
         kind = "sign" if self.sign else "p-value"
         return (
-            f"{kind} of the rank-sum test of {self.algorithm} against {self.against}, all runs on "
-            f"{len(self.problems)} problems together"
+            f"{kind} of the rank-sum test of {self.algorithm} against {self.against}, "
+            f"{SAMPLES[self.samples]}, {len(self.problems)} problems"
         )
 
     def cells(self) -> tuple[Cell, ...]:
@@ -190,12 +202,20 @@ class RankSum:
     def measure(self, evidence: Evidence) -> Measured:
         """Return p or sign in the first repeat and in resampled tables."""
         own, others = (self._tables(evidence, name) for name in (self.algorithm, self.against))
-        p, lower = _test(own, others)
+        p, lower = _test(self._sample(own), self._sample(others))
+        if self.samples == "each problem":
+            p = np.mean([_test(x, y)[0] for x, y in zip(own, others, strict=True)], axis=0)
         found = np.where(p < LEVEL, np.where(lower, 1.0, -1.0), 0.0) if self.sign else p
         return _measured(found, len(evidence.values(self.cells()[0])))
 
-    def _tables(self, evidence: Evidence, algorithm: str) -> Vector:
-        """Return all costs of the first repeat, then of resampled tables: (1 + tables, costs)."""
+    def _sample(self, tables: list[Vector]) -> Vector:
+        """Return what is ranked together, shape (1 + tables, values)."""
+        if self.samples == "averages":
+            return np.stack([table.mean(axis=-1) for table in tables], axis=-1)
+        return np.hstack(tables)
+
+    def _tables(self, evidence: Evidence, algorithm: str) -> list[Vector]:
+        """Return per problem the first repeat, then resampled tables: (1 + tables, runs) each."""
         tables = []
         for problem in self.problems:
             cell = (self.experiment, problem, algorithm)
@@ -203,7 +223,7 @@ class RankSum:
             rng = generator("resample", evidence.paper.key, *cell)
             drawn = resampled(values, np.asarray, tables=TEST_TABLES, rng=rng)
             tables.append(np.vstack([values[:1], drawn]))
-        return np.hstack(tables)
+        return tables
 
 
 def ranked(

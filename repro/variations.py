@@ -59,7 +59,7 @@ def variations(paper: Paper) -> tuple[Variation, ...]:
         Variation(alternatives=(alternative,), of=(assumption,))
         for assumption in paper.assumptions
         for alternative in assumption.alternatives
-        if isinstance(alternative, Alternative) and alternative.changes
+        if alternative.changes
     ]
     chosen = [variation for variation in single if variation.name in paper.together]
     joint = [

@@ -49,6 +49,8 @@ SLIME_PARTS = (
     SlimeWOA(leader="per whale"),
     SlimeWOA(spiral_range="symmetric"),
     SlimeWOA(restart=0.2),
+    SlimeWOA(moves="at once"),
+    SlimeWOA(greedy=True),
 )
 SLIME_TOGETHER = SlimeWOA(
     b=0.7,
@@ -65,6 +67,7 @@ SLIME_DETAILS = (
     replace(SLIME_TOGETHER, weight="of the leader", leader="per dimension"),
     replace(SLIME_TOGETHER, swing="per whale", weights="per whale", shared_draw=True),
     replace(SLIME_TOGETHER, coefficients="vector"),
+    replace(SLIME_TOGETHER, moves="at once", greedy=True),
     replace(SLIME_TOGETHER, coefficients="vector", shared_draw=True, leader="per dimension"),
 )
 SLIME = (*SLIME_PARTS, SLIME_TOGETHER, *SLIME_DETAILS)

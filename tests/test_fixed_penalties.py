@@ -1,4 +1,5 @@
 from dataclasses import replace
+from typing import get_args
 
 import numpy as np
 import pytest
@@ -13,7 +14,7 @@ from repro.model import Experiment, Paper, Reading
 from repro.optimisers import WOA
 from repro.robotics import MinimumTime, cubic, septic
 from repro.robotics.fixed_penalties import cheapest, unbounded
-from repro.robotics.rest_to_rest import DERIVATIVES
+from repro.robotics.rest_to_rest import DERIVATIVES, Handling
 from tests.small_papers import PAPER
 
 Vector = NDArray[np.float64]
@@ -47,6 +48,25 @@ def cost(problem: MinimumTime, durations: Vector) -> float:
 def paper(problem: MinimumTime, *readings: Reading) -> Paper:
     experiment = replace(SEARCH, problems={"arm": problem})
     return replace(PAPER, experiments=(experiment,), results=(), claims=(), readings=readings)
+
+
+def test_readings_of_the_penalties_count_kinds_joints_or_segments() -> None:
+    # in segment 1 joint 1 moves 1 rad and joint 2 moves 2 rad, in segment 2 0.5 rad and 2 rad
+    slow = replace(PRICED, velocity=(0.1, 0.1), acceleration=(1e9, 1e9), jerk=(1e9, 1e9))
+    prices = {
+        handling: cost(replace(slow, handling=handling), np.array([1.0, 2.0])) - 3.0
+        for handling in get_args(Handling)
+        if handling.startswith("fixed penalties")
+    }
+
+    assert prices == pytest.approx(
+        {
+            "fixed penalties": 0.1,
+            "fixed penalties per joint": 0.2,
+            "fixed penalties per joint and segment": 0.4,
+            "fixed penalties where kept": 0.011,
+        }
+    )
 
 
 @pytest.mark.parametrize("broken", [(), (0,), (1,), (2,), (0, 1), (0, 2), (1, 2), (0, 1, 2)])

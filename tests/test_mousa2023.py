@@ -20,7 +20,7 @@ from papers.mousa2023.robot import (
     axis_angles,
     reach,
 )
-from papers.mousa2023.search_claims import SEARCH_CLAIMS
+from papers.mousa2023.search_claims import search_claims
 from repro.claims import Sentence
 from repro.evidence import Evidence
 from repro.findings import judge_paper
@@ -173,7 +173,7 @@ def test_verdicts_on_the_polynomials_need_no_run() -> None:
 
 
 def test_every_comparison_with_ga_is_made_for_both_lineages() -> None:
-    claims = [claim.claim for claim in SEARCH_CLAIMS if isinstance(claim, Sentence)]
+    claims = [claim.claim for claim in search_claims() if isinstance(claim, Sentence)]
     told = sorted(c.replace("GA as told", "GA") for c in claims if "GA as told" in c)
     other = sorted(c.replace("GA by generations", "GA") for c in claims if "GA by gen" in c)
 

@@ -15,6 +15,7 @@ from repro.claims import CellClaim
 from repro.errors import DeclarationError
 from repro.model import Experiment, Paper
 from repro.published import WORDS, Printed, PublishedTable
+from repro.variations import claims_under, variations
 
 ROOT = Path(__file__).parent.parent
 SECOND_READING = Path(__file__).parent / "second_reading"
@@ -98,10 +99,29 @@ def test_every_choice_has_its_reason_and_its_alternatives(paper: Paper) -> None:
     for assumption in paper.assumptions:
         assert assumption.because.strip()
         assert assumption.chosen.strip()
-        assert isinstance(assumption.alternatives, tuple)
-        assert assumption.chosen not in assumption.alternatives
+        says = [alternative.says for alternative in assumption.alternatives]
+        assert assumption.chosen not in says
+        assert len(set(says)) == len(says)
+        assert all(text.strip() for text in says)
     reasons = [*(e.because for e in paper.errata), *(gap.because for gap in paper.gaps)]
     assert all(reason.strip() for reason in reasons)
+
+
+@each_paper
+def test_claims_of_an_alternative_stand_for_claims_of_the_paper(paper: Paper) -> None:
+    for variation in variations(paper):
+        brought = sum(len(alternative.claims) for alternative in variation.alternatives)
+        under = claims_under(paper, variation)
+
+        replaced = [new for old, new in zip(paper.claims, under, strict=True) if new is not old]
+        assert len(replaced) == brought
+        assert all(claim.measure is not None for claim in replaced)
+
+
+@each_paper
+def test_alternatives_that_can_be_tried_together_are_named(paper: Paper) -> None:
+    assert 2 <= len(paper.together) <= 3
+    assert len(variations(paper)) > len(paper.together)
 
 
 @each_paper

@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scipy.stats import mannwhitneyu
@@ -159,12 +161,39 @@ def test_claimed_places_are_ranks_on_each_problem() -> None:
         assert claim.measure.among == ("a", "b", "c")
 
 
+def test_rank_sum_of_averages_compares_one_number_per_problem() -> None:
+    rng = np.random.default_rng(3)
+    problems = tuple(f"p{i}" for i in range(15))
+    a, b = rng.normal(0, 1, (2, 15, 2, 9))
+    cells = {
+        ("e", problem, name): Runs(
+            costs=table[k], points=np.zeros((2, 9, 1)), histories=np.zeros((1, 9, 1)), evaluations=1
+        )
+        for k, problem in enumerate(problems)
+        for name, table in (("a", a), ("b", b))
+    }
+    found = Evidence(PAPER, cells)
+    test = RankSum(experiment="e", problems=problems, algorithm="a", against="b")
+
+    averages = replace(test, samples="averages").measure(found)
+    each = replace(test, samples="each problem").measure(found)
+
+    means = [table[:, 0].mean(axis=-1) for table in (a, b)]
+    assert averages.value == pytest.approx(mannwhitneyu(*means, method="asymptotic").pvalue)
+    ps = [
+        mannwhitneyu(x, y, method="asymptotic").pvalue
+        for x, y in zip(a[:, 0], b[:, 0], strict=True)
+    ]
+    assert each.value == pytest.approx(np.mean(ps))
+
+
 def test_words_name_what_is_compared() -> None:
     measures = [kind(contest=CONTEST, algorithm="b") for kind in (MeanRank, Place, Firsts)]
 
     for measure in measures:
         assert "b" in measure.words
         assert "mean cost among a, b, c" in measure.words
-    assert RankSum(experiment="e", problems=("p",), algorithm="a", against="c").words == (
-        "p-value of the rank-sum test of a against c, all runs on 1 problems together"
+    pair = RankSum(experiment="e", problems=("p",), algorithm="a", against="c")
+    assert pair.words == (
+        "p-value of the rank-sum test of a against c, all runs on all problems together, 1 problems"
     )

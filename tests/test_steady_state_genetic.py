@@ -10,6 +10,7 @@ from tests.twins.steady_state_genetic import steady_state_genetic
 VARIANTS = (
     SteadyStateGA(),
     SteadyStateGA(mixing="blend"),
+    SteadyStateGA(mixing="one point"),
     SteadyStateGA(crossover=0.3, mutation=0.4),
     SteadyStateGA(crossover=1.0, mutation=0.0, mixing="blend"),
 )

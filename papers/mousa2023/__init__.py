@@ -1,10 +1,11 @@
 """Mousa et al.: polynomials, WOA and GA for point-to-point motion of a KUKA KR4 R600."""
 
-from papers.mousa2023.open_points import ASSUMPTIONS, ERRATA, GAPS
+from papers.mousa2023.misprints import ERRATA, GAPS
+from papers.mousa2023.open_points import ASSUMPTIONS, TOGETHER
 from papers.mousa2023.polynomial_claims import POLYNOMIAL_CLAIMS
 from papers.mousa2023.printed import ANGLES, TABLE_IV
-from papers.mousa2023.protocol import CUBIC, CUBIC_FIT, FIT, QUINTIC, SEPTIC_FIT, SHIFTED_FIT
-from papers.mousa2023.search_claims import SEARCH_CLAIMS
+from papers.mousa2023.protocol import CUBIC, EXPERIMENTS, FIT, QUINTIC
+from papers.mousa2023.search_claims import search_claims
 from repro.figures import Convergence, JointCurves
 from repro.model import Paper, Source
 
@@ -21,13 +22,14 @@ PAPER = Paper(
     ),
     summary="Cubic and quintic polynomials, WOA and GA plan one motion of a KUKA KR4 R600; WOA is "
     "said to be faster and more accurate than GA. No result is printed as a number.",
-    experiments=(FIT, CUBIC_FIT, SEPTIC_FIT, SHIFTED_FIT),
+    experiments=EXPERIMENTS,
     inputs=(TABLE_IV, ANGLES),
     results=(),
-    claims=(*POLYNOMIAL_CLAIMS, *SEARCH_CLAIMS),
+    claims=(*POLYNOMIAL_CLAIMS, *search_claims()),
     assumptions=ASSUMPTIONS,
     errata=ERRATA,
     gaps=GAPS,
+    together=TOGETHER,
     figures=(
         JointCurves(
             label="Fig. 2",

@@ -1,5 +1,6 @@
 """Mousa et al.: what is re-run: six coefficients per joint fitted to a path, by WOA and by GA."""
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 from papers.mousa2023.printed import CROSSOVER, MUTATION
@@ -23,7 +24,7 @@ ALGORITHMS = {**AS_TOLD, "GA by generations": GA(crossover=_CROSSOVER, mutation=
 JOINTS = tuple(f"joint {joint}" for joint in range(1, 7))
 
 
-def paths(law: RestToRestLaw, *, shift: float = 0.0) -> dict[str, PathFitting]:
+def paths(law: RestToRestLaw, *, shift: float = 0.0) -> Mapping[str, PathFitting]:
     """Return one fit per joint to the path by `law`, the start moved by `shift` rad."""
     return {
         name: PathFitting(
@@ -57,3 +58,4 @@ _OTHER_PATH = replace(FIT, algorithms=AS_TOLD)
 CUBIC_FIT = replace(_OTHER_PATH, name="cubic path", problems=paths(cubic))
 SEPTIC_FIT = replace(_OTHER_PATH, name="septic path", problems=paths(septic))
 SHIFTED_FIT = replace(_OTHER_PATH, name="shifted start", problems=paths(quintic, shift=SHIFT))
+EXPERIMENTS = (FIT, CUBIC_FIT, SEPTIC_FIT, SHIFTED_FIT)

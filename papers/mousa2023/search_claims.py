@@ -4,6 +4,8 @@ Where WOA is compared with GA, it is compared with both lineages of GA, in a cla
 """
 
 import math
+from collections.abc import Callable
+from functools import partial
 
 from papers.mousa2023.polynomial_claims import FIRST, PASSED_ON
 from papers.mousa2023.protocol import (
@@ -30,25 +32,27 @@ RESOLUTION = 0.001  # rad: the last digit in which most angles of Eqs. (10) and 
 TRAVEL = math.dist(START, END)  # rad
 FOLLOWED = Between(0, 0.01 * TRAVEL)  # within 1 % of the way that the joints go together
 HALF = f"cost after {FIT.iterations // 2} iterations"
+Arm = Callable[..., Together]
 LINEAGES = {name: name for name in ALGORITHMS if name != "WOA"} | {"GA": "GA as told"}
 
 
-def arm(
+def arm_by(
+    usual: str,
     algorithm: str,
     quantity: str = "cost",
     combination: Combination = "norm",
     *,
-    statistic: str = "median",
+    statistic: str = "",
     of: Experiment = FIT,
 ) -> Together:
-    """Return a statistic of a quantity of the whole arm, over the runs of one algorithm."""
+    """Return a statistic, else the usual one, of a quantity of the whole arm over the runs."""
     return Together(
         experiment=of.name,
         problems=JOINTS,
         algorithm=algorithm,
         quantity=quantity,
         combination=combination,
-        statistic=statistic,
+        statistic=statistic or usual,
     )
 
 
@@ -64,7 +68,7 @@ def ahead(claim: str, where: str, best: Measure, *others: Measure) -> Sentence:
     )
 
 
-def follows(algorithm: str, of: Experiment, where: str) -> Sentence:
+def follows(arm: Arm, algorithm: str, of: Experiment, where: str) -> Sentence:
     """Return the claim that an algorithm follows the path of an experiment."""
     return Sentence(
         claim=f"{LINEAGES.get(algorithm, algorithm)} suits a {of.name} (read as: the error of the "
@@ -86,57 +90,59 @@ def _norm_of_cubic() -> float:
     )
 
 
-OVERALL = (
-    ahead(
-        "WOA plans the better path of all methods (read as: lowest median norm of WOA, GA, cubic "
-        "and quintic)",
-        "abstract and section V",
-        *(arm(algorithm) for algorithm in ALGORITHMS),
-        Computed(how="norm of the cubic", value=_norm_of_cubic),
-        Computed(
-            how="norm of the quintic",
-            value=lambda: math.hypot(*(path.least_cost() for path in QUINTIC)),
+def _overall(arm: Arm) -> tuple[Sentence, ...]:
+    """Return the claims on WOA against the polynomials, and on the paths that it follows."""
+    return (
+        ahead(
+            "WOA plans the better path of all methods (read as: lowest median norm of WOA, GA, "
+            "cubic and quintic)",
+            "abstract and section V",
+            *(arm(algorithm) for algorithm in ALGORITHMS),
+            Computed(how="norm of the cubic", value=_norm_of_cubic),
+            Computed(
+                how="norm of the quintic",
+                value=lambda: math.hypot(*(path.least_cost() for path in QUINTIC)),
+            ),
         ),
-    ),
-    Sentence(
-        claim="WOA avoids local optima and finds the global one (read as: its best run follows the "
-        "desired path to the printed digits of the angles)",
-        where="section V",
-        printed=Printed("0", "rad"),
-        measure=arm("WOA", "rms error", statistic="best"),
-        accepted=Between(0, RESOLUTION),
-        in_words=True,
-    ),
-    follows("WOA", CUBIC_FIT, "abstract and section VI"),
-    follows("WOA", FIT, "abstract and section VI"),
-    follows("WOA", SEPTIC_FIT, "abstract and section VI"),
-    ahead(
-        "polynomials are limited by how complex the path is, WOA is not (read as: on a septic path "
-        "WOA ends below the best polynomial of degree five)",
-        "abstract and section VI",
-        arm("WOA", of=SEPTIC_FIT),
-        Computed(
-            how="least norm of any six coefficients",
-            value=lambda: math.hypot(*(path.least_cost() for path in SEPTIC)),
+        Sentence(
+            claim="WOA avoids local optima and finds the global one (read as: its best run "
+            "follows the desired path to the printed digits of the angles)",
+            where="section V",
+            printed=Printed("0", "rad"),
+            measure=arm("WOA", "rms error", statistic="best"),
+            accepted=Between(0, RESOLUTION),
+            in_words=True,
         ),
-    ),
-    ahead(
-        "WOA is less sensitive to the initial conditions than a polynomial (read as: a change of "
-        "the start angles changes its curves less than the quintic)",
-        "section V",
-        Sensitivity(
-            experiment=FIT.name,
-            shifted=SHIFTED_FIT.name,
-            problems=JOINTS,
-            algorithm="WOA",
-            shift=SHIFT,
+        follows(arm, "WOA", CUBIC_FIT, "abstract and section VI"),
+        follows(arm, "WOA", FIT, "abstract and section VI"),
+        follows(arm, "WOA", SEPTIC_FIT, "abstract and section VI"),
+        ahead(
+            "polynomials are limited by how complex the path is, WOA is not (read as: on a septic "
+            "path WOA ends below the best polynomial of degree five)",
+            "abstract and section VI",
+            arm("WOA", of=SEPTIC_FIT),
+            Computed(
+                how="least norm of any six coefficients",
+                value=lambda: math.hypot(*(path.least_cost() for path in SEPTIC)),
+            ),
         ),
-        PASSED_ON,
-    ),
-)
+        ahead(
+            "WOA is less sensitive to the initial conditions than a polynomial (read as: a change "
+            "of the start angles changes its curves less than the quintic)",
+            "section V",
+            Sensitivity(
+                experiment=FIT.name,
+                shifted=SHIFTED_FIT.name,
+                problems=JOINTS,
+                algorithm="WOA",
+                shift=SHIFT,
+            ),
+            PASSED_ON,
+        ),
+    )
 
 
-def _quality(ga: str, name: str) -> tuple[Sentence, ...]:
+def _quality(arm: Arm, ga: str, name: str) -> tuple[Sentence, ...]:
     """Return the claims on how well WOA and one lineage of GA fit."""
     return (
         ahead(
@@ -153,11 +159,11 @@ def _quality(ga: str, name: str) -> tuple[Sentence, ...]:
             accepted=Between(-10, 10),
             in_words=True,
         ),
-        follows(ga, FIT, "section V"),
+        follows(arm, ga, FIT, "section V"),
     )
 
 
-def _smoothness(ga: str, name: str) -> tuple[Sentence, ...]:
+def _smoothness(arm: Arm, ga: str, name: str) -> tuple[Sentence, ...]:
     """Return the claims on how smooth the curves of WOA and one lineage of GA are."""
     places = "abstract, section IV with Fig. 5, section VI"
     return (
@@ -195,7 +201,7 @@ def _smoothness(ga: str, name: str) -> tuple[Sentence, ...]:
     )
 
 
-def _search(ga: str, name: str) -> tuple[Sentence, ...]:
+def _search(arm: Arm, ga: str, name: str) -> tuple[Sentence, ...]:
     """Return the claims on how WOA and one lineage of GA search."""
     fig_6 = "section V, Fig. 6"
     efforts = [
@@ -233,12 +239,15 @@ def _search(ga: str, name: str) -> tuple[Sentence, ...]:
     )
 
 
-SEARCH_CLAIMS = (
-    *OVERALL,
-    *(
-        claim
-        for claims in (_quality, _smoothness, _search)
-        for ga, name in LINEAGES.items()
-        for claim in claims(ga, name)
-    ),
-)
+def search_claims(usual: str = "median") -> tuple[Sentence, ...]:
+    """Return all claims, `usual` being the statistic of the runs where no sentence names one."""
+    arm = partial(arm_by, usual)
+    return (
+        *_overall(arm),
+        *(
+            claim
+            for claims in (_quality, _smoothness, _search)
+            for ga, name in LINEAGES.items()
+            for claim in claims(arm, ga, name)
+        ),
+    )

@@ -1,6 +1,25 @@
-"""SMWOA: where the print cannot be meant, and what is used instead."""
+"""SMWOA: where the print cannot be meant, and what the paper keeps to itself."""
 
-from repro.model import Erratum
+from repro.model import Erratum, Gap
+
+UNOPTIMISED = Gap(
+    what="time of the motion before optimisation (39.526 s)",
+    where="section 4.3, Fig. 3",
+    because="neither the segment times before optimisation nor how they were chosen is printed",
+)
+GAPS = (
+    UNOPTIMISED,
+    Gap(
+        what="low energy consumption of the trajectory",
+        where="abstract",
+        because="no energy is defined, measured or printed; the cost is time alone",
+    ),
+    Gap(
+        what="computing time, of order d + T N (1 + log N + d)",
+        where="section 3.2",
+        because="no computing times are printed; it is an estimate on paper, not a result",
+    ),
+)
 
 _FUNCTIONS = (
     Erratum(

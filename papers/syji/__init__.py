@@ -1,20 +1,16 @@
 """SYJI-0035 arm: seventh-order polynomials in four segments, timed by whale optimisation."""
 
-from functools import partial
-
+from papers.syji.misprints import ERRATA, SERVO
 from papers.syji.motions import ORDERS, PRINTED, RESTING, SEVENTH
-from papers.syji.open_points import ASSUMPTIONS, ERRATA, SERVO
+from papers.syji.open_points import ASSUMPTIONS, TOGETHER
 from papers.syji.printed import TABLE_1, TABLE_2, TABLE_3, TABLE_4, WHOLE
 from papers.syji.relations import RELATIONS
 from papers.syji.sentences import SENTENCES
-from repro.claims import computed_cells
+from papers.syji.table_2 import table_2_claims
 from repro.figures import Convergence, Motion, ToolPath
-from repro.measures import Computed
 from repro.model import Experiment, Paper, Reading, Source
 from repro.optimisers import WOA
 from repro.robotics import dh_rows
-from repro.robotics.rest_to_rest import MinimumTime, peaks
-from repro.verdict import RoundedOrCut
 
 MOTION = Experiment(
     name="motion",
@@ -26,22 +22,6 @@ MOTION = Experiment(
     iterations=200,
     runs=1,
 )
-DERIVATIVES = {"Maximum velocity": 1, "Maximum acceleration": 2, "Maximum Jerk": 3}
-
-
-def greatest(joint: str, column: str) -> Computed:
-    """Return the measure of one cell of Table 2: the closed-form peak of a joint in 5 s."""
-    kind, _, order = column.rpartition(" ")
-    derivative = DERIVATIVES[kind]
-    return Computed(
-        how=f"closed form of the {kind.lower()} of joint {joint}, order {order}, 5 s",
-        value=partial(_greatest, ORDERS[order], derivative, int(joint) - 1),
-    )
-
-
-def _greatest(problem: MinimumTime, derivative: int, joint: int) -> float:
-    return float(peaks(problem, (WHOLE.si,), derivative)[joint])
-
 
 PAPER = Paper(
     key="syji",
@@ -59,13 +39,14 @@ PAPER = Paper(
     inputs=(TABLE_1, TABLE_3, TABLE_4),
     results=(TABLE_2,),
     claims=(
-        *computed_cells(TABLE_2, measure=greatest, within=RoundedOrCut()),
+        *table_2_claims(),
         *SENTENCES,
     ),
     assumptions=ASSUMPTIONS,
     errata=ERRATA,
     gaps=(SERVO,),
     relations=RELATIONS,
+    together=TOGETHER,
     readings=(
         Reading(
             name="limits kept, at rest at each position",

@@ -42,21 +42,31 @@ Swing = Literal["none", "per dimension", "per whale"]
     LEADER,
     SYMMETRIC,
     RESTART,
-) = range(11)
+    AT_ONCE,
+    GREEDY,
+) = range(13)
 
 
 @jit
 def _slime_whale(cost, data, bounds, population, iterations, parameters, state):
     X = uniform_population(bounds, population, state)
     W = np.ones_like(X)
-    costs = np.empty(population)
+    P = X.copy()
+    costs = np.full(population, np.inf)
     best = np.zeros(bounds.shape[0])
     best_cost = np.inf
     history = np.empty(iterations)
     for t in range(1, iterations + 1):
         for i in range(population):
             clip(X[i], bounds)
-            costs[i] = cost(X[i], data)
+            value = cost(X[i], data)
+            if parameters[GREEDY] == 0.0:
+                costs[i] = value
+            elif value < costs[i]:
+                costs[i] = value
+                copy_into(P[i], X[i])
+            else:
+                copy_into(X[i], P[i])
             if costs[i] < best_cost:
                 best_cost = costs[i]
                 copy_into(best, X[i])
@@ -68,11 +78,12 @@ def _slime_whale(cost, data, bounds, population, iterations, parameters, state):
         else:
             a = 2.0 - 2.0 * (t - 1) / iterations
         a2 = -1.0 - (t - 1) / iterations
+        seen = X.copy() if parameters[AT_ONCE] == 1.0 else X
         for i in range(population):
             if parameters[RESTART] > 0.0 and uniform(state) < parameters[RESTART]:
                 _restart(X[i], bounds, uniform(state))  # Eq. (8), first case
             else:
-                _move(X, i, best, W, a, a2, parameters, state)
+                _move(X, seen, i, best, W, a, a2, parameters, state)
     return best, best_cost, history, population * iterations
 
 
@@ -99,7 +110,7 @@ def _restart(x, bounds, u):
 
 
 @jit
-def _move(X, i, best, W, a, a2, parameters, state):
+def _move(X, seen, i, best, W, a, a2, parameters, state):
     A = C = 0.0
     if parameters[VECTOR] == 0.0:
         r = uniform(state)
@@ -108,14 +119,14 @@ def _move(X, i, best, W, a, a2, parameters, state):
     u = uniform(state)
     l = 2.0 * u - 1.0 if parameters[SYMMETRIC] == 1.0 else (a2 - 1.0) * u + 1.0  # noqa: E741
     if uniform(state) < 0.5:
-        _encircle_or_search(X, i, best, W, a, A, C, parameters, state)
+        _encircle_or_search(X, seen, i, best, W, a, A, C, parameters, state)
     else:
         turn = math.exp(parameters[B] * l) * math.cos(2.0 * math.pi * l)
         _spiral(X[i], best, W[i], a, turn, parameters, state)
 
 
 @jit
-def _encircle_or_search(X, i, best, W, a, A, C, parameters, state):
+def _encircle_or_search(X, seen, i, best, W, a, A, C, parameters, state):
     population, n = X.shape
     vector, one_leader = parameters[VECTOR] == 1.0, parameters[LEADER] == 1.0
     k = below(population, state) if one_leader and (vector or abs(A) >= 1.0) else i
@@ -132,7 +143,7 @@ def _encircle_or_search(X, i, best, W, a, A, C, parameters, state):
         factor = C
         if parameters[WEIGHT] > 0.0:
             factor = W[i, j] if parameters[WEIGHT] == 1.0 else W[k, j]
-        X[i, j] = X[k, j] - A * abs(factor * X[k, j] - X[i, j])  # Eq. (14)
+        X[i, j] = seen[k, j] - A * abs(factor * seen[k, j] - X[i, j])  # Eq. (14)
 
 
 @jit
@@ -154,7 +165,9 @@ class SlimeWOA:
     per dimension or per whale; `logarithm` which one Eq. (11) means. `swing` is how v_b is drawn.
     `coefficients` says the same of A and C, `shared_draw` whether both come from one number;
     `leader` whether the random whale is a new one in every dimension; `spiral_range` is that of l,
-    `b` shapes the spiral. `restart` is z of Eq. (8), the chance that a whale starts anew.
+    `b` shapes the spiral. `restart` is z of Eq. (8), the chance that a whale starts anew. `moves`
+    says whether a whale sees others where they have just moved; if `greedy`, a move is taken back
+    that does not lower the whale's cost.
     """
 
     b: float = 1.0
@@ -168,6 +181,8 @@ class SlimeWOA:
     leader: Literal["per dimension", "per whale"] = "per dimension"
     spiral_range: Literal["shrinking", "symmetric"] = "shrinking"
     restart: float = 0.0
+    moves: Literal["in turn", "at once"] = "in turn"
+    greedy: bool = False
 
     def __post_init__(self) -> None:
         """Raise InputError for a chance outside [0, 1], or an unknown word."""
@@ -194,5 +209,7 @@ class SlimeWOA:
             self.leader == "per whale",
             self.spiral_range == "symmetric",
             self.restart,
+            self.moves == "at once",
+            self.greedy,
         )
         return search(_slime_whale, problem, parameters=parameters, **budget)

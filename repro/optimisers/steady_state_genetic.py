@@ -8,12 +8,13 @@ As M. A. A. Mousa et al., Journal of Engineering Research 7(5) (2023) 53, tell i
   the place whatever its cost, while the best point so far is remembered.
 
 How a child comes of its parents is not told: here either each gene is that of the one or the
-other by the toss of a coin, or each is a blend. The start costs N evaluations; a place at which
+other by the toss of a coin, or each is a blend, or the genes before a random point are those of
+the one and the rest those of the other. The start costs N evaluations; a place at which
 nothing is tried costs none, so an iteration costs N at most.
 """
 
 from dataclasses import dataclass
-from typing import Literal, Unpack
+from typing import Literal, Unpack, get_args
 
 import numpy as np
 
@@ -24,12 +25,12 @@ from repro.optimisers.choices import check_choices
 from repro.optimisers.population import copy_into, uniform_population
 from repro.optimisers.search import Budget, Problem, Result, Spending, search
 
-Mixing = Literal["toss", "blend"]
+Mixing = Literal["toss", "blend", "one point"]
 
 
 @jit
 def _steady_state(cost, data, bounds, population, iterations, parameters, state):
-    crossover, mutation, blend = parameters[0], parameters[1], parameters[2] == 1.0
+    crossover, mutation, mixing = parameters[:3]
     X = uniform_population(bounds, population, state)
     costs = np.empty(population)
     for i in range(population):
@@ -46,7 +47,7 @@ def _steady_state(cost, data, bounds, population, iterations, parameters, state)
                 for j in range(len(trial)):
                     trial[j] = bounds[j, 0] + (bounds[j, 1] - bounds[j, 0]) * uniform(state)
             elif uniform(state) < crossover:
-                _mix(trial, X, blend, state)
+                _mix(trial, X, mixing, state)
             else:
                 continue
             value = cost(trial, data)
@@ -62,11 +63,14 @@ def _steady_state(cost, data, bounds, population, iterations, parameters, state)
 
 
 @jit
-def _mix(child, X, blend, state):
+def _mix(child, X, mixing, state):
     first, second = below(len(X), state), below(len(X), state)
+    cut = 1 + below(max(len(child) - 1, 1), state) if mixing == 2.0 else 0
     for j in range(len(child)):
-        share = uniform(state)
-        if not blend:
+        share = 1.0 if j < cut else 0.0
+        if mixing < 2.0:
+            share = uniform(state)
+        if mixing == 0.0:
             share = 1.0 if share < 0.5 else 0.0
         child[j] = share * X[first, j] + (1.0 - share) * X[second, j]
 
@@ -76,7 +80,7 @@ class SteadyStateGA:
     """Genetic algorithm in which a child replaces a worse agent; rates are per place.
 
     `mixing` makes each gene of a child that of one of its parents by the "toss" of a coin, or a
-    "blend" β·x1 + (1 - β)·x2 with β drawn gene by gene.
+    "blend" β·x1 + (1 - β)·x2 with β drawn gene by gene, or splits them at "one point".
     """
 
     crossover: float = 0.8
@@ -93,11 +97,10 @@ class SteadyStateGA:
 
     def minimise(self, problem: Problem, **budget: Unpack[Budget]) -> Result:
         """Return the best point found by at most N + N·T evaluations; see `Optimiser`."""
-        blend = 1.0 if self.mixing == "blend" else 0.0
         return search(
             _steady_state,
             problem,
-            parameters=(self.crossover, self.mutation, blend),
+            parameters=(self.crossover, self.mutation, get_args(Mixing).index(self.mixing)),
             spending=lambda population: Spending(start=population, each=population),
             **budget,
         )

@@ -11,7 +11,7 @@ from repro.certify import certify
 from repro.evidence import Evidence
 from repro.findings import LEVEL, Finding, judge_paper
 from repro.measures import TABLES
-from repro.model import Paper, as_alternative
+from repro.model import Paper
 from repro.optimum import found_times, time_rows
 from repro.plan import Task
 from repro.readings import fingerprints, reached, varied_evidence
@@ -139,7 +139,6 @@ def _render(name: str, context: Mapping[str, object]) -> str:
         "comparison_rows": lambda c: [(problem, *texts) for problem, texts in c.rows],
         "run_again": run_again,
         "cell": _markdown,
-        "alternative": as_alternative,
     }
     environment.globals |= {"SYMBOLS": SYMBOLS, "MEANINGS": MEANINGS, "VERDICTS": tuple(Verdict)}
     return environment.get_template(f"{name}.jinja").render(context)

@@ -10,7 +10,7 @@ from typing import Any
 from repro.audit import AuditRow
 from repro.certify import Certificate
 from repro.findings import Finding
-from repro.model import Assumption, Paper, as_alternative
+from repro.model import Assumption, Paper
 
 SCHEMA = 1
 Json = dict[str, Any]
@@ -50,8 +50,8 @@ def _assumption(assumption: Assumption) -> Json:
         "where": assumption.where,
         "chosen": assumption.chosen,
         "alternatives": [
-            {"says": str(each), "reading": each.name, "untried": each.untried}
-            for each in map(as_alternative, assumption.alternatives)
+            {"says": each.says, "reading": each.name, "untried": each.untried}
+            for each in assumption.alternatives
         ],
         "because": assumption.because,
     }

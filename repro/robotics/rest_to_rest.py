@@ -15,7 +15,15 @@ from repro.errors import DeclarationError
 from repro.robotics.polynomials import RestToRestLaw
 
 Vector = NDArray[np.float64]
-Handling = Literal["feasibility first", "penalty", "rejection", "fixed penalties"]
+Handling = Literal[
+    "feasibility first",
+    "penalty",
+    "rejection",
+    "fixed penalties",
+    "fixed penalties per joint",
+    "fixed penalties per joint and segment",
+    "fixed penalties where kept",
+]
 DERIVATIVES = {1: "velocity", 2: "acceleration", 3: "jerk"}
 _PENALTIES = 5
 _HEADER = 8
@@ -28,6 +36,7 @@ def _cost(x, data):
     total = 0.0
     excess = 0.0
     broken = 0  # one bit per kind of limit
+    each = 0.0  # the prices of all broken limits, joint by joint and segment by segment
     for k in range(segments):
         total += x[k]
         power = 1.0
@@ -41,22 +50,44 @@ def _cost(x, data):
                 if peak_share > 1.0:
                     excess += peak_share - 1.0
                     broken |= 1 << m
+                    each += data[_PENALTIES + m]
+    if handling >= 3.0:
+        return total + _price(x, broken, each, data)
     if excess == 0.0:
         return total
     if handling == 0.0:
         return longest + excess  # worse than every motion that obeys, and ordered by excess
     if handling == 1.0:
         return total + weight * excess
-    if handling == 2.0:
-        return longest + 1.0
-    return total + _price(broken, data)
+    return longest + 1.0
 
 
 @jit
-def _price(broken, data):
+def _price_per_joint(x, data):
+    segments, joints = int(data[0]), int(data[1])
     price = 0.0
     for m in range(3):
-        if broken & (1 << m):
+        for j in range(joints):
+            limit = data[_HEADER + 3 + m * joints + j]
+            for k in range(segments):
+                distance = data[_HEADER + 3 + 3 * joints + k * joints + j]
+                if data[_HEADER + m] * distance > limit * x[k] ** (m + 1):
+                    price += data[_PENALTIES + m]
+                    break
+    return price
+
+
+@jit
+def _price(x, broken, each, data):
+    handling = data[2]
+    if handling == 4.0:
+        return _price_per_joint(x, data)
+    if handling == 5.0:
+        return each
+    kinds = ~broken if handling == 6.0 else broken
+    price = 0.0
+    for m in range(3):
+        if kinds & (1 << m):
             price += data[_PENALTIES + m]
     return price
 
@@ -71,7 +102,8 @@ class MinimumTime:
     ranks it behind every motion that obeys (K. Deb, Computer Methods in Applied Mechanics and
     Engineering 186 (2000) 311-338), "penalty" adds `weight` seconds per unit of relative excess,
     "rejection" gives one flat cost, "fixed penalties" adds the velocity, acceleration or jerk entry
-    of `penalties`, in s, once if any joint breaks a limit of that kind anywhere.
+    of `penalties`, in s, once if any joint breaks a limit of that kind anywhere, or once per joint
+    that does, or per joint and segment, or if no joint does ("where kept").
     """
 
     waypoints: tuple[tuple[float, ...], ...]
@@ -156,7 +188,7 @@ class MinimumTime:
         if name not in known:
             message = f"a motion has no quantity {name!r}; it has {', '.join(known)}"
             raise DeclarationError(message)
-        fixed = self.handling == "fixed penalties"
+        fixed = self.handling.startswith("fixed penalties")
         counted = points if fixed else np.maximum(points, self.shortest())
         if name == "total":
             return np.asarray(counted.sum(axis=-1))

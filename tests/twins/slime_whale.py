@@ -26,6 +26,8 @@ class _Parts:
     leader: str = "per dimension"
     spiral_range: str = "shrinking"
     restart: float = 0.0
+    moves: str = "in turn"
+    greedy: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -34,6 +36,7 @@ class _Moment:
 
     parts: _Parts
     x: list[list[float]]
+    seen: list[list[float]]
     best_x: list[float]
     weights: list[list[float]]
     a: float
@@ -70,11 +73,17 @@ def slime_whale(
     x = _uniform_positions(bounds, population, uniform)
     best_x, best_cost = [0.0] * len(bounds), math.inf
     history: list[float] = []
+    kept: list[tuple[list[float], float]] = []
     evaluations = 0
     for t in range(1, iterations + 1):
         x = [_clipped(row, bounds) for row in x]
-        costs = [cost(row) for row in x]
+        tried = [cost(row) for row in x]
         evaluations += population
+        if parts.greedy and kept:
+            x = [new if a < b else old for new, a, (old, b) in zip(x, tried, kept, strict=True)]
+            tried = [min(a, b) for a, (_, b) in zip(tried, kept, strict=True)]
+        costs = tried
+        kept = [(list(row), value) for row, value in zip(x, costs, strict=True)]
         if min(costs) < best_cost:
             best_cost = min(costs)
             best_x = list(x[costs.index(best_cost)])
@@ -85,8 +94,9 @@ def slime_whale(
             "arctanh": math.atanh(-t / iterations + 1.0),
         }[parts.control]
         a2 = -1.0 - (t - 1) / iterations
+        seen = [list(row) for row in x] if parts.moves == "at once" else x
         moment = _Moment(
-            parts=parts, x=x, best_x=best_x, weights=weights, a=a, a2=a2, uniform=uniform
+            parts=parts, x=x, seen=seen, best_x=best_x, weights=weights, a=a, a2=a2, uniform=uniform
         )
         for i in range(population):
             x[i] = _restarted(moment, bounds) or _moved(moment, i)
@@ -168,7 +178,7 @@ def _sought(
         "of the whale": lambda: moment.weights[i][j],
         "of the leader": lambda: moment.weights[k][j],
     }[moment.parts.weight]()
-    return _towards(moment.x[k][j], moment.x[i][j], A, factor)
+    return _towards(moment.seen[k][j], moment.x[i][j], A, factor)
 
 
 def _towards(leader: float, x: float, A: float, factor: float) -> float:

@@ -34,13 +34,22 @@ def steady_state_genetic(
                 tried.append((costs[i], agent))
             elif uniform() < crossover:
                 one, other = x[int(population * uniform())], x[int(population * uniform())]
-                child = [_gene(a, b, uniform(), mixing) for a, b in zip(one, other, strict=True)]
+                child = _child(one, other, uniform, mixing)
                 tried.append((cost(child), child))
                 if tried[-1][0] < costs[i]:
                     costs[i], x[i] = tried[-1]
         history.append(min(f for f, _ in tried))
     best_cost, best_x = min(tried, key=lambda pair: pair[0])
     return best_x, best_cost, history, len(tried)
+
+
+def _child(
+    one: list[float], other: list[float], uniform: Callable[[], float], mixing: str
+) -> list[float]:
+    if mixing == "one point":
+        cut = 1 + int(max(len(one) - 1, 1) * uniform())
+        return one[:cut] + other[cut:]
+    return [_gene(a, b, uniform(), mixing) for a, b in zip(one, other, strict=True)]
 
 
 def _gene(one: float, other: float, share: float, mixing: str) -> float:
