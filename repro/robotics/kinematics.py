@@ -32,6 +32,14 @@ def forward_kinematics(
     given, is added to the joint angle. `q` holds the n joint angles in rad. Raises InputError for
     other shapes or an unknown convention.
     """
+    return np.asarray(frames(dh, q, convention)[-1])
+
+
+def frames(dh: ArrayLike, q: ArrayLike, convention: Convention = "standard") -> NDArray[np.float64]:
+    """Return the poses of all frames in the base frame, the base among them, (n + 1, 4, 4).
+
+    Arguments and errors are those of forward_kinematics.
+    """
     table = np.atleast_2d(np.asarray(dh, dtype=np.float64))
     angles = np.asarray(q, dtype=np.float64)
     if table.shape[1] not in (3, 4) or angles.shape != (len(table),):
@@ -44,11 +52,11 @@ def forward_kinematics(
         message = f"unknown convention {convention!r}; known: {', '.join(get_args(Convention))}"
         raise InputError(message)
     link = _standard if convention == "standard" else _modified
-    pose = np.eye(4)
+    poses = [np.eye(4)]
     for row, angle in zip(table, angles, strict=True):
         offset = row[3] if len(row) == 4 else 0.0
-        pose = pose @ link(row[0], row[1], row[2], angle + offset)
-    return pose
+        poses.append(poses[-1] @ link(row[0], row[1], row[2], angle + offset))
+    return np.array(poses)
 
 
 def _standard(a: float, alpha: float, d: float, theta: float) -> NDArray[np.float64]:
