@@ -76,4 +76,33 @@ class SplineMotion:
     derivatives: tuple[int, ...]
 
 
-Figure = Convergence | JointCurves | Motion | SplineMotion | ToolPath
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ArmMotion:
+    """One motion that an arm is shown making.
+
+    `problem` says through which angles it goes: path fits, one per joint, mean their desired paths.
+    `durations` of the segments are in s, those of the proved optimum where None; path fits have
+    a duration of their own.
+    """
+
+    name: str
+    problem: MinimumTime | MinimumTimeSpline | tuple[PathFitting, ...]
+    durations: tuple[float, ...] | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Arm:
+    """The robot itself in space, moving along two or more motions on one clock.
+
+    `assumed` names those of the paper's assumptions (by their `what`) that the picture rests on.
+    """
+
+    label: str
+    caption: str
+    dh: tuple[DHRow, ...]
+    convention: Convention
+    motions: tuple[ArmMotion, ...]
+    assumed: tuple[str, ...] = ()
+
+
+Figure = Arm | Convergence | JointCurves | Motion | SplineMotion | ToolPath

@@ -17,7 +17,7 @@ from repro.report.words import number
 from repro.seeds import generator
 
 SVG = "{http://www.w3.org/2000/svg}"
-CONVERGENCE, TOOL_PATH, SET_MOTION, MOTION = PAPER.figures
+CONVERGENCE, TOOL_PATH, SET_MOTION, MOTION, _ARM = PAPER.figures
 
 
 def runs_of(experiment: Experiment, problem: str, algorithm: str) -> Runs:

@@ -18,7 +18,7 @@ from papers.liang2026.printed import (
 from papers.liang2026.relations import RELATIONS
 from papers.liang2026.tool import tool_positions
 from repro.claims import Sentence, computed_cells, every_cell, lowest_everywhere
-from repro.figures import Convergence, Motion, ToolPath
+from repro.figures import Arm, ArmMotion, Convergence, Motion, ToolPath
 from repro.measures import Computed, Reduction, Statistic
 from repro.model import Paper, Source
 from repro.published import Printed
@@ -225,6 +225,25 @@ PAPER = Paper(
             problem=FANUC,
             experiment="motion",
             algorithms=("WOA", "IWOA"),
+        ),
+        Arm(
+            label="Arm",
+            caption="The arm of Table III on its way through Table V, with the times that Table VI "
+            "prints for IWOA and with those of the certified optimum",
+            dh=DH,
+            convention="standard",
+            motions=(
+                ArmMotion(
+                    name="IWOA as printed",
+                    problem=FANUC,
+                    durations=(TABLE_VI["IWOA", "t1"].si, TABLE_VI["IWOA", "t2"].si),
+                ),
+                ArmMotion(name="certified optimum", problem=FANUC),
+            ),
+            assumed=(
+                "Denavit-Hartenberg convention",
+                "unit of lengths in Table III and of positions in Table IV",
+            ),
         ),
     ),
     relations=RELATIONS,

@@ -4,9 +4,17 @@ from papers.mousa2023.misprints import ERRATA, GAPS
 from papers.mousa2023.open_points import ASSUMPTIONS, TOGETHER
 from papers.mousa2023.polynomial_claims import POLYNOMIAL_CLAIMS
 from papers.mousa2023.printed import ANGLES, TABLE_IV
-from papers.mousa2023.protocol import CUBIC, EXPERIMENTS, FIT, QUINTIC
+from papers.mousa2023.protocol import (
+    ARM_CUBIC,
+    ARM_QUINTIC,
+    CUBIC,
+    EXPERIMENTS,
+    FIT,
+    QUINTIC,
+)
+from papers.mousa2023.robot import DH
 from papers.mousa2023.search_claims import search_claims
-from repro.figures import Convergence, JointCurves
+from repro.figures import Arm, ArmMotion, Convergence, JointCurves
 from repro.model import Paper, Source
 
 PAPER = Paper(
@@ -59,6 +67,23 @@ PAPER = Paper(
             label="Fig. 6",
             caption="Norm of the difference over the iterations of WOA and GA",
             experiment=FIT.name,
+        ),
+        Arm(
+            label="Arm",
+            caption="The arm of Table IV between the angles of Eqs. (10) and (11), read as angles "
+            "A1 to A6 of the real arm, by the quintic and by the cubic polynomials; no time is "
+            "minimised or printed, so both last the time that is assumed",
+            dh=DH,
+            convention="standard",
+            motions=(
+                ArmMotion(name="quintic polynomials", problem=ARM_QUINTIC),
+                ArmMotion(name="cubic polynomials", problem=ARM_CUBIC),
+            ),
+            assumed=(
+                "Denavit-Hartenberg convention",
+                "what the start and end angles are",
+                "duration of the motion",
+            ),
         ),
     ),
 )

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from papers.mousa2023.printed import CROSSOVER, MUTATION
-from papers.mousa2023.robot import END, START
+from papers.mousa2023.robot import END, START, joint_angles
 from repro.model import Experiment
 from repro.optimisers import GA, WOA, Optimiser, SteadyStateGA
 from repro.robotics import PathFitting, RestToRestLaw, cubic, quintic, septic
@@ -41,6 +41,13 @@ def paths(law: RestToRestLaw, *, shift: float = 0.0) -> Mapping[str, PathFitting
 
 CUBIC = tuple(paths(cubic).values())
 QUINTIC = tuple(paths(quintic).values())
+ARM_QUINTIC, ARM_CUBIC = (
+    tuple(
+        replace(path, start=start, end=end)
+        for path, start, end in zip(fits, joint_angles(START), joint_angles(END), strict=True)
+    )
+    for fits in (QUINTIC, CUBIC)
+)
 SEPTIC = tuple(paths(septic).values())
 SHIFTED = tuple(paths(quintic, shift=SHIFT).values())
 

@@ -33,6 +33,11 @@ def axis_angles(joints: tuple[float, ...]) -> tuple[float, ...]:
     return tuple(zero - angle for zero, angle in zip(_AT_ZERO, joints, strict=True))
 
 
+def joint_angles(axes: tuple[float, ...]) -> tuple[float, ...]:
+    """Return joint angles θ of Table IV for angles A1…A6 of the real arm, in rad."""
+    return axis_angles(axes)  # zero less an angle, both ways
+
+
 def axes_out_of_range(*postures: tuple[float, ...]) -> int:
     """Return how many axes of the real arm lie outside their range in any of the postures."""
     lowest, highest = REAL_ARM.column("least"), REAL_ARM.column("greatest")

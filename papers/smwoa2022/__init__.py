@@ -7,10 +7,11 @@ from papers.smwoa2022.misprints import ERRATA, GAPS
 from papers.smwoa2022.open_points import ASSUMPTIONS, TOGETHER
 from papers.smwoa2022.printed import TABLE_2, TABLE_3, TABLE_4, TABLE_5, TABLE_6
 from papers.smwoa2022.relations import RELATIONS
+from papers.smwoa2022.robot import DH, LINKS
 from papers.smwoa2022.sentences import SENTENCES, printed_durations
 from papers.smwoa2022.table_3 import TABLE_3_CLAIMS
 from papers.smwoa2022.table_6 import table_6
-from repro.figures import SplineMotion
+from repro.figures import Arm, ArmMotion, SplineMotion
 from repro.model import Paper, Reading, Source
 
 __all__ = ["PAPER", "SMWOA"]
@@ -38,7 +39,7 @@ PAPER = Paper(
         *table_6("single"),
         *SENTENCES,
     ),
-    assumptions=ASSUMPTIONS,
+    assumptions=(*ASSUMPTIONS, LINKS),
     errata=ERRATA,
     gaps=GAPS,
     relations=RELATIONS,
@@ -77,6 +78,20 @@ PAPER = Paper(
             algorithms=("SMWOA",),
             joints=(1, 2, 3, 4, 5, 6),
             derivatives=(0, 1, 2, 3),
+        ),
+        Arm(
+            label="Arm",
+            caption="A UR5 on its way through the nodes of Table 4, with the durations that Table "
+            "6 prints for SMWOA and with those of the certified optimum",
+            dh=DH,
+            convention="standard",
+            motions=(
+                ArmMotion(
+                    name="SMWOA as printed", problem=UR5, durations=printed_durations("SMWOA")
+                ),
+                ArmMotion(name="certified optimum", problem=UR5),
+            ),
+            assumed=(LINKS.what,),
         ),
     ),
 )

@@ -1,13 +1,13 @@
 """SYJI-0035 arm: seventh-order polynomials in four segments, timed by whale optimisation."""
 
 from papers.syji.misprints import ERRATA, SERVO
-from papers.syji.motions import ORDERS, PRINTED, RESTING, SEVENTH
+from papers.syji.motions import FOUND, ORDERS, PRINTED, RESTING, SEVENTH
 from papers.syji.open_points import ASSUMPTIONS, TOGETHER
 from papers.syji.printed import TABLE_1, TABLE_2, TABLE_3, TABLE_4, WHOLE
 from papers.syji.relations import RELATIONS
 from papers.syji.sentences import SENTENCES
 from papers.syji.table_2 import table_2_claims
-from repro.figures import Convergence, Motion, ToolPath
+from repro.figures import Arm, ArmMotion, Convergence, Motion, ToolPath
 from repro.model import Experiment, Paper, Reading, Source
 from repro.optimisers import WOA
 from repro.robotics import dh_rows
@@ -21,6 +21,11 @@ MOTION = Experiment(
     population=50,
     iterations=200,
     runs=1,
+)
+DH = dh_rows(
+    a=TABLE_1.column("Link length ai-1"),
+    alpha=TABLE_1.column("Link twist αi-1"),
+    d=TABLE_1.column("Link distance di"),
 )
 
 PAPER = Paper(
@@ -79,13 +84,21 @@ PAPER = Paper(
             label="Fig. 6",
             caption="Path of the tool through the positions of Table 4",
             problem=RESTING,
-            dh=dh_rows(
-                a=TABLE_1.column("Link length ai-1"),
-                alpha=TABLE_1.column("Link twist αi-1"),
-                d=TABLE_1.column("Link distance di"),
-            ),
+            dh=DH,
             convention="modified",
             printed_waypoints=(),
+        ),
+        Arm(
+            label="Arm",
+            caption="The arm of Table 1 on its way through Table 4, at rest at each position, with "
+            "the printed durations and with the shortest that keep the limits of Table 3",
+            dh=DH,
+            convention="modified",
+            motions=(
+                ArmMotion(name="WOA as printed", problem=RESTING, durations=FOUND),
+                ArmMotion(name="certified optimum, limits kept", problem=RESTING),
+            ),
+            assumed=("Denavit-Hartenberg convention", "link twists of joints 3 and 6"),
         ),
     ),
 )

@@ -204,11 +204,11 @@ ASSUMPTIONS = (
         alternatives=(
             Alternative(
                 says="0° for joint 3 and 90° or -90° for joint 6, as in most arms of this build",
-                untried="no claim rests on it, only the counterpart of Fig. 6",
+                untried="no claim rests on it, only the pictures of path and arm",
             ),
         ),
         because="as printed axes 2 and 3 are perpendicular and axes 5 and 6 parallel; the copy "
-        "has lost the layout of the table, and only the counterpart of Fig. 6 depends on it",
+        "has lost the layout of the table, and only the pictures of path and arm depend on it",
     ),
 )
 

@@ -3,12 +3,13 @@
 from dataclasses import dataclass
 
 from repro.evidence import Evidence
-from repro.figures import Convergence, Figure, JointCurves, Motion, SplineMotion
+from repro.figures import Arm, Convergence, Figure, JointCurves, Motion, SplineMotion
+from repro.report.arm_drawing import arm_plot
 from repro.report.convergence import HEADINGS, convergence_plot
 from repro.report.fit_drawing import joint_curves_plot
 from repro.report.motion import motion_plot
 from repro.report.spline_drawing import spline_plot
-from repro.report.style import Plot, Rows, drawing_style, empty
+from repro.report.style import Plot, Rows, Scene, drawing_style, empty
 from repro.report.svg import inline_svg
 from repro.report.tool_path import tool_path_plot
 
@@ -21,13 +22,14 @@ class Drawing:
 
     `svg` is one inline element in the page's own text colour; `title` is label and caption;
     `description` says in words what is drawn, with its main numbers; `rows` are the data under
-    one row of headings.
+    one row of headings; `scene`, where there is one, is what an interactive view of it draws.
     """
 
     svg: str
     title: str
     description: str
     rows: Rows
+    scene: Scene | None = None
 
 
 def draw(figure: Figure, evidence: Evidence, identifier: str) -> Drawing:
@@ -42,10 +44,14 @@ def draw(figure: Figure, evidence: Evidence, identifier: str) -> Drawing:
         svg = inline_svg(
             plot.canvas, identifier=identifier, title=title, description=plot.description
         )
-    return Drawing(svg=svg, title=title, description=plot.description, rows=plot.rows)
+    return Drawing(
+        svg=svg, title=title, description=plot.description, rows=plot.rows, scene=plot.scene
+    )
 
 
 def _plot(figure: Figure, evidence: Evidence) -> Plot:
+    if isinstance(figure, Arm):
+        return arm_plot(figure, evidence)
     if isinstance(figure, Convergence):
         return convergence_plot(figure, evidence) or _nothing()
     if isinstance(figure, Motion):

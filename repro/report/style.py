@@ -2,7 +2,7 @@
 
 import math
 import threading
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
@@ -15,6 +15,7 @@ from matplotlib.transforms import blended_transform_factory
 
 Rows = tuple[tuple[str, ...], ...]
 Style = dict[str, Any]  # keyword arguments of matplotlib
+Scene = Mapping[str, Any]
 
 # Okabe and Ito's colours (jfly.uni-koeln.de/color, 2008), their orange and sky blue darkened until
 # every one stands out from white and from #111 by 3 to 1; black becomes the page's text colour.
@@ -46,11 +47,15 @@ _ONE_AT_A_TIME = threading.Lock()  # matplotlib's settings belong to the whole p
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Plot:
-    """A drawn figure, what it shows in words, and its data under a row of headings."""
+    """A drawn figure, what it shows in words, and its data under a row of headings.
+
+    `scene`, where given, is what the interactive view of the same draws, ready for JSON.
+    """
 
     canvas: Figure
     description: str
     rows: Rows
+    scene: Scene | None = None
 
 
 @contextmanager
