@@ -97,6 +97,14 @@ def bench(session: nox.Session) -> None:
     session.run("pytest", "benchmarks", "--benchmark-only", *session.posargs, env=ONE_THREAD)
 
 
+@nox.session(venv_backend="none")
+def bundle(session: nox.Session) -> None:
+    """Build the script of the robot's view anew, with node and npm (see repro/report/arm)."""
+    session.chdir("repro/report/arm")
+    session.run("npm", "ci", "--ignore-scripts", external=True)
+    session.run("npm", "run", "build", external=True)
+
+
 @nox.session
 def lock(session: nox.Session) -> None:
     """Write the hashed locks in requirements/ anew from pyproject.toml."""

@@ -15,6 +15,7 @@ from repro.model import Paper
 from repro.optimum import found_times, time_rows
 from repro.plan import Task
 from repro.readings import fingerprints, reached, varied_evidence
+from repro.report.arm_viewer import viewer
 from repro.report.drawing import Drawing, draw
 from repro.report.files import csv_text, usable_folder, write_file
 from repro.report.readings_view import readings_view
@@ -140,6 +141,7 @@ def _render(name: str, context: Mapping[str, object]) -> str:
         "run_again": run_again,
         "cell": _markdown,
     }
+    environment.globals["viewer"] = viewer
     environment.globals |= {"SYMBOLS": SYMBOLS, "MEANINGS": MEANINGS, "VERDICTS": tuple(Verdict)}
     return environment.get_template(f"{name}.jinja").render(context)
 
