@@ -33,4 +33,4 @@ ARM = Arm(
     ),
     assumed=("plane of the arm",),
 )
-SHOWING_AN_ARM: Paper = replace(PAPER, figures=(ARM,), assumptions=(PLANE,))
+SHOWING_AN_ARM: Paper = replace(PAPER, figures=(ARM,), assumptions=(*PAPER.assumptions, PLANE))
