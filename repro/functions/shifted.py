@@ -1,0 +1,105 @@
+"""Shifted copies of the benchmark problems: the same function in the same box, moved aside."""
+
+import types
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from repro.compiled import COST, jit, ready
+from repro.errors import InputError
+from repro.functions.function import BenchmarkProblem
+from repro.seeds import generator
+from repro.sources import source_digest
+
+Vector = NDArray[np.float64]
+LEAST_STEP = 0.5  # of the share, in every coordinate: none is left near the centre
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ShiftedProblem:
+    """Minimise f(x - s) on the box of f.
+
+    Coordinate j of s is between half of `share` and all of it, in half widths of the box, to
+    either side, both drawn from the name of the function and the dimension: so all sizes of shift
+    lie on one ray, which is no axis and no diagonal of the box. Near one edge of the box x - s
+    lies outside it; there the value is what the formula of f gives.
+    """
+
+    problem: BenchmarkProblem
+    share: float
+
+    def __post_init__(self) -> None:
+        """Raise InputError for a share that is no part of the half width."""
+        if not 0 <= self.share < 1:
+            message = f"share={self.share}: a shift is a share of the half width, 0 to below 1"
+            raise InputError(message)
+
+    def __call__(self, x: Vector) -> float:
+        """Return the value at one point of shape (n,)."""
+        point = np.ascontiguousarray(x, dtype=np.float64)
+        if point.shape != (self.problem.dimension,):
+            message = f"a point of shape ({self.problem.dimension},) is needed, not {point.shape}"
+            raise InputError(message)
+        return float(ready(self.kernel, COST)(point, self.data))
+
+    @property
+    def bounds(self) -> Vector:
+        """Lower and upper bound of each coordinate, shape (dimension, 2): those of f."""
+        return self.problem.bounds
+
+    @property
+    def shift(self) -> Vector:
+        """The shift s, shape (dimension,)."""
+        n = self.problem.dimension
+        rng = generator("shift", self.problem.function.name, n)
+        sides = np.where(rng.random(n) < 0.5, -1.0, 1.0)
+        steps = LEAST_STEP + (1.0 - LEAST_STEP) * rng.random(n)
+        low, high = self.bounds.T
+        return np.asarray(self.share * sides * steps * (high - low) / 2)
+
+    @property
+    def minimiser(self) -> Vector:
+        """One point of shape (dimension,) that attains the minimum, off the centre of the box."""
+        return self.problem.function.minimiser(self.problem.dimension) + self.shift
+
+    @property
+    def kernel(self) -> Any:  # noqa: ANN401 (numba ships no types)
+        """Compiled cost."""
+        return _moved(self.problem.kernel)
+
+    @property
+    def data(self) -> Vector:
+        """The shift, then room for one point, shape (2 dimension,); a new array each time."""
+        return np.concatenate([self.shift, np.zeros(self.problem.dimension)])
+
+    @property
+    def identity(self) -> tuple[object, ...]:
+        """What the cost depends on besides source code."""
+        return (*self.problem.identity, self.share)
+
+
+@cache
+def _moved(kernel: Any) -> Any:  # noqa: ANN401 (numba ships no types)
+    """Return the compiled cost of f(x - s), where `kernel` is that of f.
+
+    numba keeps no closure on disk from one process to the next, but it does keep a function whose
+    global names are known beforehand. So the template gets f as one of its globals, and a name
+    that holds a digest of the source of f, for the cached code to be that of no other function.
+    """
+    source = kernel.__module__
+    name = f"moved_{source}_{kernel.__name__}_{source_digest(source)[:16]}".replace(".", "_")
+    function = types.FunctionType(_at_shifted_point.__code__, {"f": kernel}, name)
+    function.__qualname__ = name
+    function.__module__ = source  # the module on whose source the values depend
+    return jit(function)
+
+
+def _at_shifted_point(x, data):
+    n = len(x)
+    moved = data[n:]  # a part of the data, because a new array for every value would cost time
+    for j in range(n):
+        moved[j] = x[j] - data[j]
+    return f(moved, data)  # type: ignore[name-defined]  # noqa: F821 (each copy brings its f)
