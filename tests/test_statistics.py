@@ -7,7 +7,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from repro.statistics.rank_sum import holm, rank_sum_p, win_probability
+from repro.statistics.effect_size import win_probability
+from repro.statistics.rank_sum import holm, rank_sum_p
 from repro.statistics.summary import STATISTICS, best, mean, standard_deviation, worst
 from repro.statistics.tables import quantile_interval, resampled
 

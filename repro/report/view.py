@@ -18,7 +18,8 @@ from repro.report.words import (
     number,
     verdict_words,
 )
-from repro.statistics.rank_sum import holm, rank_sum_p, win_probability
+from repro.statistics.effect_size import win_probability
+from repro.statistics.rank_sum import holm, rank_sum_p
 
 Place = tuple[str | None, str | None, str | None]
 

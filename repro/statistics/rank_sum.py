@@ -1,21 +1,26 @@
-"""The rank-sum test as the papers use it, its correction, and an effect size."""
+"""The rank-sum test as the papers use it, and the correction for several tests."""
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.stats import mannwhitneyu, rankdata
+from scipy.stats import mannwhitneyu
 
 Vector = NDArray[np.float64]
+SMALL = 20  # values in both samples together, from which MATLAB's `ranksum` approximates
 
 
 def rank_sum_p(x: Vector, y: Vector) -> float:
     """Return the two-sided p-value of Wilcoxon's rank-sum test of two samples.
 
-    The normal approximation with tie and continuity correction, as MATLAB's `ranksum` gives it
-    for more than ten values. Two samples of one and the same value are not different: p = 1.
+    Exact for fewer than 20 untied values in all, where MATLAB's `ranksum` is exact by default;
+    otherwise the normal approximation with tie and continuity correction, which is what `ranksum`
+    gives for larger samples. Two samples of one and the same value are not different: p = 1.
     """
-    if np.ptp(np.concatenate([x, y])) == 0.0:
+    values = np.concatenate([x, y])
+    if np.ptp(values) == 0.0:
         return 1.0
-    return float(mannwhitneyu(x, y, method="asymptotic", use_continuity=True).pvalue)
+    untied = len(np.unique(values)) == len(values)
+    method = "exact" if untied and len(values) < SMALL else "asymptotic"
+    return float(mannwhitneyu(x, y, method=method, use_continuity=True).pvalue)
 
 
 def holm(p_values: Vector) -> Vector:
@@ -29,13 +34,3 @@ def holm(p_values: Vector) -> Vector:
     corrected = np.empty(len(p))
     corrected[order] = np.minimum(stepped, 1.0)
     return corrected
-
-
-def win_probability(x: Vector, y: Vector) -> float:
-    """Return P(X < Y) + P(X = Y) / 2: how often x is the lower, ties counted as half.
-
-    A. Vargha, H. D. Delaney, Journal of Educational and Behavioral Statistics 25 (2000) 101-132.
-    """
-    n, m = len(x), len(y)
-    ranks = rankdata(np.concatenate([x, y]))
-    return float(1.0 - (ranks[:n].sum() - n * (n + 1) / 2) / (n * m))
