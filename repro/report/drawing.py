@@ -1,5 +1,6 @@
 """The counterpart of a paper's figure: a drawing, what it says in words, and its data."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from repro.evidence import Evidence
@@ -39,8 +40,13 @@ def draw(figure: Figure, evidence: Evidence, identifier: str) -> Drawing:
     The same arguments give the same bytes.
     """
     title = f"{figure.label}: {figure.caption}"
+    return drawing(lambda: _plot(figure, evidence), title=title, identifier=identifier)
+
+
+def drawing(plotted: Callable[[], Plot], *, title: str, identifier: str) -> Drawing:
+    """Return what `plotted` draws, in our style, ready for a page."""
     with drawing_style():
-        plot = _plot(figure, evidence)
+        plot = plotted()
         svg = inline_svg(
             plot.canvas, identifier=identifier, title=title, description=plot.description
         )

@@ -3,12 +3,8 @@
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
-import numpy as np
-
 from repro.audit import AuditRow
-from repro.evidence import Evidence
 from repro.findings import IN_WORDS, Finding
-from repro.model import Experiment, Paper
 from repro.published import UNITS, Printed, PublishedTable
 from repro.report.words import (
     anchor,
@@ -18,8 +14,6 @@ from repro.report.words import (
     number,
     verdict_words,
 )
-from repro.statistics.effect_size import win_probability
-from repro.statistics.rank_sum import holm, rank_sum_p
 
 Place = tuple[str | None, str | None, str | None]
 
@@ -51,16 +45,6 @@ class Table:
     headings: tuple[str, ...]
     columns: tuple[str, ...]
     rows: tuple[tuple[tuple[str, ...], tuple[Shown | str, ...]], ...]
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Comparison:
-    """Rank-sum tests of the proposed algorithm against the others, on the first repeat."""
-
-    experiment: Experiment
-    others: tuple[str, ...]
-    rows: tuple[tuple[str, tuple[str, ...]], ...]
-    budgets: tuple[tuple[str, int], ...]
 
 
 def shown(finding: Finding, marks: Mapping[Place, list[AuditRow]]) -> Shown:
@@ -122,47 +106,4 @@ def table_view(table: PublishedTable, found: Mapping[Place, Shown]) -> Table:
             for column in table.columns
         ),
         rows=tuple(rows),
-    )
-
-
-def comparisons(paper: Paper, evidence: Evidence) -> tuple[Comparison, ...]:
-    """Return the tests of every experiment whose runs are all there."""
-    return tuple(
-        _comparison(experiment, evidence)
-        for experiment in paper.experiments
-        if all(
-            (experiment.name, problem, algorithm) in evidence.runs
-            for problem in experiment.problems
-            for algorithm in experiment.algorithms
-        )
-    )
-
-
-def _comparison(experiment: Experiment, evidence: Evidence) -> Comparison:
-    others = tuple(name for name in experiment.algorithms if name != experiment.proposed)
-    p_values, wins = [], []
-    for problem in experiment.problems:
-        own = evidence.values((experiment.name, problem, experiment.proposed))[0]
-        for other in others:
-            costs = evidence.values((experiment.name, problem, other))[0]
-            p_values.append(rank_sum_p(own, costs))
-            wins.append(win_probability(own, costs))
-    corrected = holm(np.array(p_values))
-    texts = [
-        f"p = {number(p)}, Holm {number(float(q))}, wins {win:.2f}"
-        for p, q, win in zip(p_values, corrected, wins, strict=True)
-    ]
-    n = len(others)
-    first = next(iter(experiment.problems))
-    return Comparison(
-        experiment=experiment,
-        others=others,
-        rows=tuple(
-            (problem, tuple(texts[i * n : (i + 1) * n]))
-            for i, problem in enumerate(experiment.problems)
-        ),
-        budgets=tuple(
-            (name, evidence.runs[experiment.name, first, name].evaluations)
-            for name in experiment.algorithms
-        ),
     )
