@@ -32,7 +32,8 @@ class Experiment:
     """Every algorithm on every problem, `runs` times, under the paper's protocol.
 
     `proposed` is the algorithm that the paper puts forward; the others are compared with it. Where
-    `evaluations` is given, it is the budget of a run in place of the iterations.
+    `evaluations` is given, it is the budget of a run in place of the iterations. Runs draw the
+    random numbers of the runs of `drawn_as`, an experiment's name, where one is given.
     """
 
     name: str
@@ -44,6 +45,7 @@ class Experiment:
     iterations: int
     runs: int
     evaluations: int | None = None
+    drawn_as: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -29,11 +29,20 @@ class Task:
     iterations: int
     evaluations: int | None = None
     seed: str = ""
+    drawn_as: str = ""
 
     @property
     def name(self) -> str:
-        """The name that seeds the run; another master seed stands before it."""
-        parts = (self.paper, self.experiment, self.problem, self.algorithm, self.repeat, self.run)
+        """The name of the run, which no other has; another master seed stands before it."""
+        return self._named(self.experiment)
+
+    @property
+    def stream(self) -> str:
+        """The name that seeds the run: its own, or that of the run whose numbers it draws."""
+        return self._named(self.drawn_as or self.experiment)
+
+    def _named(self, experiment: str) -> str:
+        parts = (self.paper, experiment, self.problem, self.algorithm, self.repeat, self.run)
         return "/".join(map(str, (self.seed, *parts) if self.seed else parts))
 
 
@@ -70,6 +79,7 @@ def _cell(
     for repeat in range(1, repeats + 1):
         for run in range(1, experiment.runs + 1):
             place = (seed, paper, experiment.name, problem, algorithm, repeat, run)
+            drawn_as = (experiment.drawn_as,) if experiment.drawn_as else ()
             yield Task(
                 paper=paper,
                 experiment=experiment.name,
@@ -77,13 +87,14 @@ def _cell(
                 algorithm=algorithm,
                 repeat=repeat,
                 run=run,
-                key=_digest(inputs, *place),
+                key=_digest(inputs, *place, *drawn_as),
                 optimiser=experiment.algorithms[algorithm],
                 subject=experiment.problems[problem],
                 population=experiment.population,
                 iterations=experiment.iterations,
                 evaluations=experiment.evaluations,
                 seed=seed,
+                drawn_as=experiment.drawn_as,
             )
 
 

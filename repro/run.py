@@ -37,7 +37,7 @@ def execute(task: Task) -> Record:
     start = time.perf_counter()
     try:
         result = task.optimiser.minimise(
-            task.subject, population=task.population, rng=generator(task.name), **_budget(task)
+            task.subject, population=task.population, rng=generator(task.stream), **_budget(task)
         )
     except Exception as error:  # noqa: BLE001 (one run's fault must not cost the others)
         return _failed(task, f"{type(error).__name__}: {error}", time.perf_counter() - start)

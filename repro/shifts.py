@@ -25,6 +25,7 @@ SHARES = (KUDELA / 2, KUDELA, 2 * KUDELA)
 The published one makes the ratios comparable; the other two show whether what is found hangs on the
 size. With the largest every optimum still lies in the middle half of the box, away from its edges.
 """
+IN_PLACE = 0.0
 CENTRED = 0.05  # a half width's share: how near the centre an optimum is that a bias can find
 CONTROL = "DE (control)"
 FLOOR = "random search (floor)"
@@ -39,28 +40,31 @@ def centred(experiment: Experiment) -> tuple[str, ...]:
 
 
 def shifted(experiment: Experiment, share: float, *, floor: Optimiser) -> Experiment:
-    """Return the experiment on functions moved by `share` half widths; 0 leaves them in place.
+    """Return the experiment on functions moved by `share` half widths, with the same seeds.
 
     It keeps the problems that are `centred`, and adds to the algorithms differential evolution
-    as a control that has no bias, and `floor`, a random search. InputError where no problem is
-    left.
+    as a control that has no bias, and `floor`, a random search. With `IN_PLACE` it holds these two
+    alone, since the paper's algorithms have their runs there. InputError where no problem is left.
     """
     names = centred(experiment)
     if not names:
         message = f"{experiment.name}: no benchmark function with its optimum about the centre"
         raise InputError(message)
-    problems = {
-        name: ShiftedProblem(problem=experiment.problems[name], share=share)
-        if share
-        else experiment.problems[name]
-        for name in names
-    }
+    plain = {name: experiment.problems[name] for name in names}
+    company: dict[str, Optimiser] = {CONTROL: DE(), FLOOR: floor}
+    moved = {name: ShiftedProblem(problem=plain[name], share=share) for name in names}
+    in_place = share == IN_PLACE
     return replace(
         experiment,
-        name=f"{experiment.name}, shift {share:g}",
-        problems=problems,
-        algorithms={**experiment.algorithms, CONTROL: DE(), FLOOR: floor},
+        problems=plain if in_place else moved,
+        algorithms=company if in_place else {**experiment.algorithms, **company},
+        drawn_as=experiment.name,
     )
+
+
+def shift_name(share: float) -> str:
+    """Return what an experiment with this shift departs in."""
+    return f"shift {share:g}"
 
 
 def _is_centred(problem: Any) -> bool:  # noqa: ANN401 (any problem)

@@ -1,9 +1,11 @@
-"""What is run besides the papers' protocols: other readings of them."""
+"""What is run besides the papers' protocols: other readings of them, and optima moved aside."""
 
 from dataclasses import dataclass, replace
 from typing import Literal
 
 from repro.model import Experiment, Paper
+from repro.optimisers.random_search import RandomSearch
+from repro.shifts import IN_PLACE, SHARES, centred, shift_name, shifted
 from repro.variations import changed_part, variations
 
 Kind = Literal["reading", "shift", "baseline", "equal budget"]
@@ -31,7 +33,8 @@ def studies(paper: Paper, repeats: int) -> tuple[Study, ...]:
     """
     if repeats < 2:
         return ()
-    return _readings(paper, max(1, repeats // PER_STUDY))
+    times = max(1, repeats // PER_STUDY)
+    return (*_readings(paper, times), *_shifts(paper, times))
 
 
 def study_name(experiment: str, departs: str) -> str:
@@ -53,4 +56,22 @@ def _readings(paper: Paper, repeats: int) -> tuple[Study, ...]:
         # where fewer than all of a combination bear on an experiment, that smaller one has its runs
         if len(variation.touching(experiment.name).alternatives) == len(variation.alternatives)
         and (part := changed_part(experiment, variation))
+    )
+
+
+def _shifts(paper: Paper, repeats: int) -> tuple[Study, ...]:
+    return tuple(
+        Study(
+            kind="shift",
+            of=experiment.name,
+            departs=shift_name(share),
+            experiment=replace(
+                shifted(experiment, share, floor=RandomSearch()),
+                name=study_name(experiment.name, shift_name(share)),
+            ),
+            repeats=repeats,
+        )
+        for experiment in paper.experiments
+        if centred(experiment)
+        for share in (IN_PLACE, *SHARES)
     )

@@ -13,6 +13,7 @@ from repro.errors import InputError
 from repro.model import Experiment, Paper
 from repro.plan import Task, plan
 from repro.seeds import generator
+from repro.studies import studies
 from tests.small_papers import EXPERIMENT, PAPER, Bowl, Guessing, searching
 from tests.test_sources import forget
 
@@ -163,9 +164,23 @@ def test_change_of_texts_in_a_paper_changes_no_key() -> None:
     assert keys(reworded) == keys(PAPER)
 
 
+def test_runs_that_are_drawn_as_others_share_their_stream_but_no_name_or_key() -> None:
+    own = PAPER.experiments[0]
+    aside = replace(own, name="aside", drawn_as=own.name)
+    apart = replace(own, name="aside")
+    first, second, third = (
+        plan([replace(PAPER, experiments=(experiment,), results=(), claims=())], 1)[0]
+        for experiment in (own, aside, apart)
+    )
+
+    assert first.stream == second.stream == first.name
+    assert third.stream == third.name == second.name
+    assert len({first.key, second.key, third.key}) == 3
+
+
 def test_name_alone_seeds_a_run() -> None:
     def numbers(tasks: tuple[Task, ...]) -> dict[str, float]:
-        return {task.name: generator(task.name).random() for task in tasks}
+        return {task.name: generator(task.stream).random() for task in tasks}
 
     few, many = numbers(plan([PAPER], 1)), numbers(plan([searching(b=Guessing()), PAPER], 3))
 
@@ -186,4 +201,5 @@ def test_plan_of_a_paper_has_the_sizes_that_it_declares(key: str) -> None:
     def size(experiment: Experiment) -> int:
         return len(experiment.problems) * len(experiment.algorithms) * experiment.runs
 
-    assert len(plan([paper], 2)) == 2 * sum(map(size, paper.experiments))
+    besides = sum(study.repeats * size(study.experiment) for study in studies(paper, 2))
+    assert len(plan([paper], 2)) == 2 * sum(map(size, paper.experiments)) + besides

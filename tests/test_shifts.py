@@ -5,11 +5,13 @@ import pytest
 from papers.liang2026 import PAPER as LIANG
 from papers.smwoa2022 import PAPER as SMWOA
 from repro.errors import InputError
-from repro.functions import FUNCTIONS, BenchmarkProblem
+from repro.functions import FUNCTIONS
 from repro.functions.shifted import ShiftedProblem
 from repro.model import Experiment
 from repro.optimisers import DE, WOA
-from repro.shifts import CONTROL, FLOOR, SHARES, centred, shifted
+from repro.plan import plan
+from repro.shifts import CONTROL, FLOOR, IN_PLACE, SHARES, centred, shifted
+from tests.small_papers import PAPER
 
 LIANG_TEST, LIANG_MOTION = LIANG.experiments
 SMWOA_TEST = SMWOA.experiments[0]
@@ -34,7 +36,6 @@ def test_an_optimum_off_the_centre_in_one_coordinate_is_left_out() -> None:
 def test_the_derived_experiment_is_the_papers_but_for_place_and_company() -> None:
     experiment = derived(0.2)
 
-    assert experiment.name == "benchmark, shift 0.2"
     assert experiment.problems == {
         name: ShiftedProblem(problem=problem, share=0.2)
         for name, problem in LIANG_TEST.problems.items()
@@ -43,8 +44,25 @@ def test_the_derived_experiment_is_the_papers_but_for_place_and_company() -> Non
     assert (experiment.runs, experiment.iterations) == (30, 500)
 
 
-def test_no_shift_keeps_the_plain_problems() -> None:
-    assert all(isinstance(p, BenchmarkProblem) for p in derived(0).problems.values())
+def test_in_place_only_the_company_is_run() -> None:
+    experiment = derived(IN_PLACE)
+
+    assert experiment.problems == LIANG_TEST.problems
+    assert experiment.algorithms == {CONTROL: DE(), FLOOR: WOA()}
+
+
+@pytest.mark.parametrize("share", [IN_PLACE, *SHARES])
+def test_a_shifted_run_draws_the_random_numbers_of_the_run_in_place(share: float) -> None:
+    experiment = replace(derived(share), name="aside")
+    paper = replace(PAPER, experiments=(LIANG_TEST, experiment), results=(), claims=())
+    streams: dict[str, set[str]] = {}
+    for task in plan([paper], 1):
+        streams.setdefault(task.experiment, set()).add(task.stream)
+        assert task.name.startswith(f"small2020/{task.experiment}/")
+
+    if share:
+        assert streams["benchmark"] < streams["aside"]
+    assert all(name.startswith("small2020/benchmark/") for name in streams["aside"])
 
 
 @pytest.mark.parametrize("share", SHARES)

@@ -1,7 +1,10 @@
 from dataclasses import replace
 
+from papers.liang2026 import PAPER as LIANG
 from repro.model import Alternative, Assumption
+from repro.optimisers.random_search import RandomSearch
 from repro.plan import plan
+from repro.shifts import CONTROL, FLOOR
 from repro.studies import studies, study_name
 from tests.small_papers import PAPER
 
@@ -47,3 +50,13 @@ def test_runs_of_a_study_come_after_every_protocol_and_have_seeds_of_their_own()
     first = next(i for i, task in enumerate(tasks) if "[" in task.experiment)
     assert all("[" in task.experiment for task in tasks[first:])
     assert len(set(names)) == len(names)
+
+
+def test_functions_with_their_optimum_about_the_centre_are_run_with_it_moved_aside() -> None:
+    found = [study for study in studies(LIANG, 10) if study.kind == "shift"]
+
+    assert [study.departs for study in found] == ["shift 0", "shift 0.1", "shift 0.2", "shift 0.4"]
+    assert {(study.of, study.repeats) for study in found} == {("benchmark", 1)}
+    assert found[2].experiment.name == "benchmark [shift 0.2]"
+    assert set(found[0].experiment.algorithms) == {CONTROL, FLOOR}
+    assert isinstance(found[2].experiment.algorithms[FLOOR], RandomSearch)
