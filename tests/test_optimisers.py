@@ -18,6 +18,7 @@ from repro.optimisers import (
     WOA,
     HybridWOA,
     Optimiser,
+    RandomSearch,
     Result,
     SlimeWOA,
 )
@@ -26,7 +27,7 @@ from tests.small_problems import OFF_CENTRE, Small, small
 
 EVERY = (
     *(WOA(), GWO(), PSO(), DBO(), SMA(), GSA(), GSA(bounds="clip"), DE(), GA()),
-    *(TOGETHER, SLIME_TOGETHER),
+    *(RandomSearch(), TOGETHER, SLIME_TOGETHER),
 )
 HOLDING = (*(o for o in EVERY if o != PSO()), *ADDITIONS, *SLIME, PSO(clip="every particle"))
 
@@ -50,7 +51,7 @@ def test_evaluations_are_the_calls_of_the_compiled_cost(optimiser: Optimiser) ->
 @pytest.mark.parametrize(
     ("optimiser", "evaluations"),
     [
-        *((o, 24 * 10) for o in (WOA(), GWO(), PSO(), SMA(), GSA(), HybridWOA())),
+        *((o, 24 * 10) for o in (WOA(), GWO(), PSO(), SMA(), GSA(), HybridWOA(), RandomSearch())),
         *((o, 24 * 11) for o in (DBO(), DE())),
         (DBO(producers=0.75), 24 + (24 + 6) * 10),  # beetles 13 to 18 belong to two groups
         (GA(), 24 + 22 * 10),  # two elites are not evaluated again

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from repro.draws import normal, state_from, uniform
-from repro.optimisers import DBO, DE, GA, GSA, GWO, PSO, SMA, WOA, HybridWOA, SlimeWOA
+from repro.optimisers import DBO, DE, GA, GSA, GWO, PSO, SMA, WOA, HybridWOA, RandomSearch, SlimeWOA
 from repro.optimisers.slime_mould import _weigh
 from tests.additions import ADDITIONS, SLIME, TOGETHER
 from tests.small_problems import OFF_CENTRE, small
@@ -17,11 +17,12 @@ from tests.twins.gravitational import gravitational
 from tests.twins.grey_wolf import grey_wolf
 from tests.twins.hybrid_whale import hybrid_whale
 from tests.twins.particle_swarm import particle_swarm
+from tests.twins.random_search import random_search
 from tests.twins.slime_mould import _weights, slime_mould
 from tests.twins.slime_whale import slime_whale
 from tests.twins.whale import whale
 
-AnyOptimiser = DBO | DE | GA | GSA | GWO | HybridWOA | PSO | SMA | SlimeWOA | WOA
+AnyOptimiser = DBO | DE | GA | GSA | GWO | HybridWOA | PSO | RandomSearch | SMA | SlimeWOA | WOA
 Box = tuple[tuple[float, float], ...]
 Outcome = tuple[list[float], float, list[float], int]
 
@@ -35,6 +36,7 @@ TWINS: dict[type[AnyOptimiser], Callable[..., Outcome]] = {
     GWO: grey_wolf,
     HybridWOA: hybrid_whale,
     PSO: particle_swarm,
+    RandomSearch: random_search,
     SMA: slime_mould,
     SlimeWOA: slime_whale,
     WOA: whale,

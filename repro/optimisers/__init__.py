@@ -7,6 +7,7 @@ from repro.optimisers.gravitational import GSA
 from repro.optimisers.grey_wolf import GWO
 from repro.optimisers.hybrid_whale import HybridWOA
 from repro.optimisers.particle_swarm import PSO
+from repro.optimisers.random_search import RandomSearch
 from repro.optimisers.search import Optimiser, Problem, Result
 from repro.optimisers.slime_mould import SMA
 from repro.optimisers.slime_whale import SlimeWOA
@@ -25,6 +26,7 @@ __all__ = [
     "HybridWOA",
     "Optimiser",
     "Problem",
+    "RandomSearch",
     "Result",
     "SlimeWOA",
     "SteadyStateGA",
