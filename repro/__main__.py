@@ -7,14 +7,21 @@ import json
 import pkgutil
 import sys
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import papers
-from repro.errors import InputError, ReproError
+from repro.errors import InputError, ReproError, Terminated
 from repro.model import Paper
 
+if TYPE_CHECKING:
+    from repro.plan import Task
+    from repro.run import Record
+    from repro.store import Store
+
 INTERRUPTED = 130
+TERMINATED = 143
 SOME_RUN_FAILED = 1
 DEFAULT_REPEATS = 10
 PAGES = "repro.report.pages"  # takes seconds to load, with all that draws
@@ -29,9 +36,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except ReproError as error:
         sys.stderr.write(f"repro: {error}\n")
         return error.exit_code
-    except KeyboardInterrupt:
+    except KeyboardInterrupt as interrupt:
         sys.stderr.write("\nrepro: interrupted; finished runs are kept, the same call goes on\n")
-        return INTERRUPTED
+        return TERMINATED if isinstance(interrupt, Terminated) else INTERRUPTED
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -41,6 +48,9 @@ def _parser() -> argparse.ArgumentParser:
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     reproduce = _command(commands, _reproduce, "reproduce", "run what is missing, then write pages")
     reproduce.add_argument("--workers", type=int, help="threads on this machine (default: cores)")
+    reproduce.add_argument(
+        "--processes", action="store_true", help="every run in a process, safe from its crash"
+    )
     reproduce.add_argument("--dask", metavar="ADDRESS", help="use the Dask cluster at this address")
     report = _command(commands, _report, "report", "write pages from the store, run nothing")
     listing = _command(
@@ -92,38 +102,42 @@ def _chosen(keys: Sequence[str]) -> list[Paper]:
 
 
 def _reproduce(options: argparse.Namespace) -> int:
-    from repro.executors import checked_workers, cluster, local  # noqa: PLC0415 (slow imports late)
+    from repro.executors import checked_workers  # noqa: PLC0415 (slow imports late)
+    from repro.interrupts import terminable  # noqa: PLC0415
     from repro.plan import plan  # noqa: PLC0415
-    from repro.progress import Progress  # noqa: PLC0415
-    from repro.provenance import provenance  # noqa: PLC0415
     from repro.report.files import usable_folder  # noqa: PLC0415
-    from repro.session import run_missing  # noqa: PLC0415
     from repro.store import Store  # noqa: PLC0415
 
     chosen = _chosen(options.keys)
     tasks = plan(chosen, options.repeats)
-    workers = checked_workers(options.workers)
+    checked_workers(options.workers)
     usable_folder(options.reports)
-    with Store(options.store) as store:
-        if options.dask:
-            with cluster(options.dask) as (executor, threads):
-                failed = run_missing(
-                    store, tasks, executor=executor, workers=threads,
-                    environment=provenance, report=Progress(),
-                )  # fmt: skip
-        else:
-            with local(workers) as executor:
-                executor.submit(importlib.import_module, PAGES)  # loads while others run
-                failed = run_missing(
-                    store, tasks, executor=executor, workers=workers,
-                    environment=provenance, report=Progress(),
-                )  # fmt: skip
+    with terminable(), Store(options.store) as store:
+        failed = _run(store, tasks, options)
         pages = importlib.import_module(PAGES)
         pages.write_report(store, chosen, tasks, options.reports, all_papers().values())
     for record in failed:
         sys.stderr.write(f"repro: run {record.task.name} failed: {record.reason}\n")
     sys.stdout.write(f"pages: {options.reports / 'index.html'}\n")
     return SOME_RUN_FAILED if failed else 0
+
+
+def _run(store: "Store", tasks: Sequence["Task"], options: argparse.Namespace) -> list["Record"]:
+    """Run what the store lacks, here or on a cluster, and return the failed runs."""
+    from repro import cluster  # noqa: PLC0415 (slow imports late)
+    from repro.executors import checked_workers, local  # noqa: PLC0415
+    from repro.progress import Progress  # noqa: PLC0415
+    from repro.provenance import provenance  # noqa: PLC0415
+    from repro.session import run_missing  # noqa: PLC0415
+
+    run = partial(run_missing, store, tasks, environment=provenance, report=Progress())
+    if options.dask:
+        with cluster.cluster(options.dask) as (executor, threads):
+            return run(executor=executor, workers=threads, batch_seconds=cluster.BATCH_SECONDS)
+    workers = checked_workers(options.workers)
+    with local(workers, processes=options.processes) as executor:
+        executor.submit(importlib.import_module, PAGES)  # loads while others run
+        return run(executor=executor, workers=workers)
 
 
 def _report(options: argparse.Namespace) -> int:

@@ -21,6 +21,10 @@ class StoreError(ReproError):
     exit_code = 3
 
 
+class Terminated(KeyboardInterrupt):
+    """Somebody asked this process to end, by SIGTERM."""
+
+
 class ClusterLostError(ReproError):
     """The cluster went away; what is finished is stored and the next call goes on from there."""
 

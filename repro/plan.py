@@ -8,7 +8,7 @@ from typing import Any
 from repro.errors import InputError
 from repro.model import Experiment, Paper
 from repro.optimisers.search import Optimiser
-from repro.sources import source_digest
+from repro.sources import sources_of_run
 from repro.studies import studies
 
 
@@ -101,7 +101,6 @@ def _cell(
 def _inputs(experiment: Experiment, problem: str, algorithm: str) -> str:
     """Return a digest of all that decides the outcome of a run but its seed."""
     optimiser, subject = experiment.algorithms[algorithm], experiment.problems[problem]
-    modules = {type(optimiser).__module__, type(subject).__module__, subject.kernel.__module__}
     return _digest(
         repr(optimiser),
         type(subject).__qualname__,
@@ -109,7 +108,7 @@ def _inputs(experiment: Experiment, problem: str, algorithm: str) -> str:
         experiment.population,
         experiment.iterations,
         experiment.evaluations,
-        source_digest("repro.seeds", *sorted(modules)),
+        sources_of_run(optimiser, subject),
     )
 
 

@@ -1,16 +1,18 @@
 """One session at the store: run what is missing, then gather what the runs say."""
 
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import Executor
 from itertools import groupby
+from operator import attrgetter
 
 import numpy as np
 
+from repro.dispatch import BATCH_SECONDS, run_all
 from repro.evidence import Cell, Evidence, Runs
 from repro.model import Paper
 from repro.plan import Task
-from repro.run import Record, run_all
+from repro.run import Record
 from repro.store import Store
 from repro.studies import Study
 
@@ -20,9 +22,10 @@ def run_missing(
     tasks: Sequence[Task],
     *,
     executor: Executor,
-    workers: int,
+    workers: int | Callable[[], int],
     environment: Callable[[], dict[str, object]],
     report: Callable[[int, int], None],
+    batch_seconds: float = BATCH_SECONDS,
 ) -> list[Record]:
     """Run every task that the store lacks, keep each at once, and return the failed ones.
 
@@ -31,17 +34,21 @@ def run_missing(
     missing = store.missing(tasks)
     failed: list[Record] = []
     done = 0
-    if missing:
-        store.begin(environment())
+    here = environment() if missing else {}
+    begun: Mapping[str, object] | None = None
 
     def keep(records: list[Record]) -> None:
-        nonlocal done
-        store.add(records)
+        nonlocal done, begun
+        for there, made_there in groupby(records, attrgetter("environment")):
+            if begun != (there or here):
+                begun = there or here
+                store.begin(begun)
+            store.add(made_there)
         failed.extend(record for record in records if record.reason)
         done += len(records)
         report(done, len(missing))
 
-    run_all(missing, executor, workers, keep)
+    run_all(missing, executor, workers, keep, batch_seconds=batch_seconds)
     return failed
 
 

@@ -7,6 +7,7 @@ import sys
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 
 @cache
@@ -20,6 +21,12 @@ def source_digest(*modules: str) -> str:
     for name in sorted(_closure(modules)):
         digest.update(f"{name}\0{_meaning(name)}\0".encode())
     return digest.hexdigest()
+
+
+def sources_of_run(optimiser: object, subject: Any) -> str:  # noqa: ANN401 (any problem)
+    """Return a digest of all source code that decides what a run of a search gives."""
+    modules = {type(optimiser).__module__, type(subject).__module__, subject.kernel.__module__}
+    return source_digest("repro.seeds", *sorted(modules))
 
 
 def _closure(modules: tuple[str, ...]) -> set[str]:

@@ -1,104 +1,172 @@
-"""The command line in processes of their own."""
-
+import os
 import signal
-import sqlite3
 import subprocess
 import sys
 import textwrap
 import time
-from contextlib import closing
+from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import dataclass, replace
 from pathlib import Path
+from threading import Timer
+from typing import ClassVar
 
 import pytest
 
-from tests.small_papers import MODULE
+from repro.plan import Task
+from repro.processes import TRIES, StoppedError, WorkerProcess
+from repro.run import Record, execute
+from tests.held_searches import Telling, deadly, tasks_of
+from tests.small_papers import Failing, Guessing
+from tests.test_run import same
 
 ROOT = Path(__file__).parent.parent
-PROGRAM = """
-    import papers, runpy, signal, sys
-    signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell may have it ignored
-    papers.__path__.append(sys.argv.pop(1))
-    runpy.run_module("repro", run_name="__main__", alter_sys=True)
-"""
 
 
 @pytest.fixture
-def slow(tmp_path: Path) -> tuple[str, ...]:
-    """Return the command that knows one more paper, of 40 runs, half of them slow."""
-    (tmp_path / "papers").mkdir()
-    (tmp_path / "papers" / "slow2021.py").write_text(MODULE, encoding="utf-8")
-    places = ("--store", str(tmp_path / "store"), "--reports", str(tmp_path / "reports"))
-    program = (sys.executable, "-c", textwrap.dedent(PROGRAM), str(tmp_path / "papers"))
-    return (*program, "reproduce", "slow2021", "--repeats", "1", "--workers", "1", *places)
+def worker() -> Iterator[WorkerProcess]:
+    """Return a worker whose process is gone after the test."""
+    worker = WorkerProcess()
+    yield worker
+    worker.kill()
 
 
-def runs_in(store: Path) -> int:
-    if not (store / "runs.sqlite").exists():
-        return 0
-    with closing(sqlite3.connect(store / "runs.sqlite")) as database:
-        tables = database.execute("select count(*) from sqlite_master").fetchone()[0]
-        return int(database.execute("select count(*) from run").fetchone()[0]) if tables else 0
+def is_alive(process: int) -> bool:
+    """Return whether a process runs; one that waits to be buried does not."""
+    try:
+        state = Path(f"/proc/{process}/stat").read_text(encoding="utf-8").rpartition(")")[2]
+    except FileNotFoundError:
+        return False
+    return state.split()[0] != "Z"
 
 
-def stopped(command: tuple[str, ...], store: Path, by: signal.Signals) -> tuple[int, str]:
-    """Stop a command when three of its runs are stored; return exit code and error output."""
-    with subprocess.Popen(command, cwd=ROOT, stderr=subprocess.PIPE, text=True) as process:
-        limit = time.monotonic() + 60
-        while runs_in(store) < 3 and time.monotonic() < limit:
-            time.sleep(0.02)
-        process.send_signal(by)
-        _, err = process.communicate(timeout=30)
-    return process.returncode, err
+def test_run_in_a_process_gives_the_bits_of_one_here(worker: WorkerProcess) -> None:
+    for task in tasks_of(guess=Guessing(), wide=Guessing(width=3.0)):
+        assert same(worker.execute(task), execute(task))
 
 
-def test_interrupted_command_exits_with_130_and_a_later_call_goes_on(
-    slow: tuple[str, ...], tmp_path: Path
+def test_one_process_makes_many_runs(worker: WorkerProcess) -> None:
+    made_in = {worker.execute(task).evaluations for task in tasks_of(telling=Telling())}
+
+    assert len(made_in) == 1
+    assert os.getpid() not in made_in
+
+
+def test_fault_of_a_run_is_its_outcome(worker: WorkerProcess) -> None:
+    record = worker.execute(tasks_of(bad=Failing())[0])
+
+    assert record.reason == "ValueError: lost the way"
+
+
+def test_task_that_cannot_travel_runs_here(worker: WorkerProcess) -> None:
+    @dataclass(frozen=True)
+    class Hidden(Telling):
+        holds_interpreter: ClassVar[bool] = True
+
+        def minimise(self, problem: object, **budget: object) -> object:  # type: ignore[override]
+            return Telling().minimise(problem, **budget)  # type: ignore[arg-type]
+
+    assert worker.execute(tasks_of(hidden=Hidden())[0]).evaluations == os.getpid()  # type: ignore[arg-type]
+
+
+def test_task_of_a_module_that_the_process_lacks_runs_here(
+    worker: WorkerProcess, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    code, err = stopped(slow, tmp_path / "store", signal.SIGINT)
-    kept = runs_in(tmp_path / "store")
-
-    done = subprocess.run(slow, cwd=ROOT, capture_output=True, text=True, timeout=60, check=False)
-
-    assert code == 130
-    assert err.endswith("repro: interrupted; finished runs are kept, the same call goes on\n")
-    assert "Traceback" not in err
-    assert 3 <= kept < 40
-    assert done.returncode == 0
-    assert f"{40 - kept}/{40 - kept} runs (100 %)" in done.stderr
-    assert (tmp_path / "reports" / "slow2021.html").exists()
-
-
-def test_killed_command_loses_no_stored_run_and_leaves_the_store_unlocked(
-    slow: tuple[str, ...], tmp_path: Path
-) -> None:
-    code, _ = stopped(slow, tmp_path / "store", signal.SIGKILL)
-    kept = runs_in(tmp_path / "store")
-
-    done = subprocess.run(slow, cwd=ROOT, capture_output=True, text=True, timeout=60, check=False)
-
-    assert code == -signal.SIGKILL
-    assert 3 <= kept < 40
-    assert done.returncode == 0
-    assert f"{40 - kept}/{40 - kept} runs (100 %)" in done.stderr
-    assert runs_in(tmp_path / "store") == 40
-
-
-def test_list_loads_nothing_that_it_does_not_need(tmp_path: Path) -> None:
-    program = """
-        import sys
-        from repro.__main__ import main
-        main(["list", "--store", sys.argv[1]])
-        unwanted = {"matplotlib", "scipy.stats", "jinja2", "pandas"} & set(sys.modules)
-        sys.exit(", ".join(unwanted) or 0)
-    """
-
-    done = subprocess.run(
-        (sys.executable, "-c", textwrap.dedent(program), str(tmp_path)),
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-        check=False,
+    (tmp_path / "brought_along.py").write_text(
+        "from tests.held_searches import Telling\nclass Brought(Telling): pass\n"
     )
+    with monkeypatch.context() as patch:
+        patch.syspath_prepend(tmp_path)
+        import brought_along  # type: ignore[import-not-found]  # noqa: PLC0415
 
-    assert (done.returncode, done.stderr) == (0, "")
-    assert "liang2026: " in done.stdout
+    record = worker.execute(tasks_of(brought=brought_along.Brought())[0])
+
+    assert record.evaluations == os.getpid()
+
+
+@pytest.mark.parametrize("lives", [1, TRIES - 1])
+def test_run_whose_process_dies_is_made_again(
+    worker: WorkerProcess, tmp_path: Path, lives: int
+) -> None:
+    task = tasks_of(guess=deadly(tmp_path, lives))[0]
+
+    record = worker.execute(task)
+
+    assert list(tmp_path.iterdir()) == []
+    assert record.reason is None
+    assert same(record, harmless(task))
+
+
+def harmless(task: Task) -> Record:
+    """Return what the same run gives that kills nothing."""
+    (plain,) = (other for other in tasks_of(guess=Guessing()) if other.name == task.name)
+    return replace(execute(plain), task=task)
+
+
+def test_task_that_kills_every_process_is_named_after_three_tries(
+    worker: WorkerProcess, tmp_path: Path
+) -> None:
+    record = worker.execute(tasks_of(guess=deadly(tmp_path, TRIES + 2))[0])
+
+    assert record.reason == f"its worker died {TRIES} times, the last time by SIGKILL"
+    assert len(list(tmp_path.iterdir())) == 2
+    assert worker.execute(tasks_of(telling=Telling())[0]).reason is None
+
+
+def test_process_that_is_killed_from_outside_is_replaced(worker: WorkerProcess) -> None:
+    quick, slow = tasks_of(telling=Telling())[0], tasks_of(slow=Telling(seconds=0.5))[0]
+    first = worker.execute(quick).evaluations
+
+    Timer(0.2, os.kill, (first, signal.SIGKILL)).start()
+    record = worker.execute(slow)
+
+    assert record.reason is None
+    assert record.evaluations not in {first, os.getpid()}
+
+
+def test_worker_that_is_told_to_stop_gives_its_run_up_and_starts_no_other() -> None:
+    worker = WorkerProcess()
+    worker.execute(tasks_of(telling=Telling())[0])
+    Timer(0.2, worker.kill).start()
+
+    start = time.monotonic()
+    for _ in range(2):
+        with pytest.raises(StoppedError):
+            worker.execute(tasks_of(slow=Telling(seconds=30.0))[0])
+
+    assert time.monotonic() - start < 5
+
+
+def test_closed_worker_leaves_no_process() -> None:
+    worker = WorkerProcess()
+    process = worker.execute(tasks_of(telling=Telling())[0]).evaluations
+
+    worker.close()
+
+    assert not is_alive(process)
+
+
+def test_process_ends_with_its_driver_in_the_middle_of_a_run() -> None:
+    program = """
+        from repro.processes import WorkerProcess
+        from tests.held_searches import Telling, tasks_of
+        worker = WorkerProcess()
+        print(worker.execute(tasks_of(telling=Telling())[0]).evaluations, flush=True)
+        worker.execute(tasks_of(slow=Telling(seconds=60.0))[0])
+    """
+    with subprocess.Popen(
+        (sys.executable, "-c", textwrap.dedent(program)), cwd=ROOT, stdout=subprocess.PIPE
+    ) as driver:
+        assert driver.stdout is not None
+        process = int(driver.stdout.readline())
+        time.sleep(0.2)  # until it is at the slow run
+        assert is_alive(process)
+        driver.kill()
+
+    limit = time.monotonic() + 2
+    while is_alive(process) and time.monotonic() < limit:
+        time.sleep(0.02)
+    alive = is_alive(process)
+    with suppress(ProcessLookupError):
+        os.kill(process, signal.SIGKILL)
+    assert not alive

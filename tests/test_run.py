@@ -1,35 +1,14 @@
-from collections import Counter
-from collections.abc import Callable
-from concurrent.futures import Executor, Future, ThreadPoolExecutor, wait
-from dataclasses import dataclass, replace
-from threading import Event, Lock, Timer
-from typing import Any, Unpack
+from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
-from repro import run
-from repro.optimisers import WOA
-from repro.optimisers.search import Budget, Problem, Result
-from repro.plan import Task, plan
-from repro.run import Record, execute, run_all
-from tests.small_papers import EXPERIMENT, PAPER, Failing, Guessing, searching
+from repro.plan import plan
+from repro.run import Record, execute, execute_all, holds_interpreter
+from tests.held_searches import Telling
+from tests.small_papers import EXPERIMENT, PAPER, Bowl, Failing, Guessing, searching
 
 TASKS = plan([replace(PAPER, experiments=(replace(EXPERIMENT, runs=50),))], 1)
-WHALES = plan([searching(WOA=WOA())], 1)
-
-
-def names(tasks: tuple[Task, ...] | list[Task]) -> list[str]:
-    return [task.name for task in tasks]
-
-
-def kept(tasks: tuple[Task, ...], workers: int) -> list[Record]:
-    records: list[Record] = []
-    with ThreadPoolExecutor(workers) as executor:
-        run_all(tasks, executor, workers, records.extend)
-    return records
 
 
 def same(first: Record, second: Record) -> bool:
@@ -76,203 +55,19 @@ def test_run_without_a_finite_cost_fails_with_its_reason(cost: float | None, rea
     assert record.x.size == record.history.size == record.evaluations == 0
 
 
-@settings(deadline=None, max_examples=60)
-@given(st.integers(0, len(TASKS)), st.integers(1, 6))
-def test_every_task_is_run_exactly_once(count: int, workers: int) -> None:
-    records = kept(TASKS[:count], workers)
+def test_batch_gives_a_record_for_each_task_in_order() -> None:
+    records = execute_all(TASKS[:5])
 
-    assert Counter(record.task.name for record in records) == Counter(names(TASKS[:count]))
+    assert [record.task for record in records] == list(TASKS[:5])
+    assert all(same(record, execute(record.task)) for record in records)
 
 
-def test_every_record_is_that_of_its_own_task() -> None:
-    alone = {record.task.name: record for record in map(execute, TASKS)}
+def test_search_or_problem_says_that_it_holds_the_interpreter() -> None:
+    class Held(Bowl):
+        holds_interpreter = True
 
-    assert all(same(record, alone[record.task.name]) for record in kept(TASKS, 3))
+    telling, guessing = (plan([searching(a=search)], 1)[0] for search in (Telling(), Guessing()))
 
-
-def test_failed_run_costs_no_other() -> None:
-    tasks = plan([searching(good=Guessing(), bad=Failing(), worse=Failing(cost=float("nan")))], 2)
-
-    failed = Counter(record.task.algorithm for record in kept(tasks, 2) if record.reason)
-
-    assert failed == {"bad": 6, "worse": 6}
-
-
-def test_compiled_search_gives_the_same_bits_in_any_thread() -> None:
-    problem = searching(WOA=WOA())
-    experiment = replace(problem.experiments[0], problems={"sphere": _sphere()}, runs=8)
-    tasks = plan([replace(problem, experiments=(experiment,))], 1)
-
-    alone = {task.name: execute(task) for task in tasks}
-
-    assert all(same(record, alone[record.task.name]) for record in kept(tasks, 4))
-
-
-def _sphere() -> Any:  # noqa: ANN401 (any problem)
-    from repro.functions import FUNCTIONS  # noqa: PLC0415 (compiled only where it is needed)
-
-    return FUNCTIONS["sphere"].problem(3)
-
-
-def test_few_tasks_are_handed_out_at_a_time() -> None:
-    waiting: list[int] = []
-
-    class Counting(ThreadPoolExecutor):
-        def submit(self, *args: Any, **_: Any) -> Future[Any]:  # noqa: ANN401
-            future: Future[Any] = super().submit(*args)
-            unfinished.append(future)
-            waiting.append(sum(not known.done() for known in unfinished))
-            return future
-
-    unfinished: list[Future[Any]] = []
-    with Counting(2) as executor:
-        run_all(TASKS, executor, 2, lambda _: None)
-
-    assert len(waiting) == len(TASKS)
-    assert max(waiting) <= 2 * run.IN_FLIGHT
-
-
-def test_every_finished_task_makes_room_for_another() -> None:
-    class AtOnce(ThreadPoolExecutor):
-        def submit(self, *args: Any, **_: Any) -> Future[Any]:  # noqa: ANN401
-            future: Future[Any] = super().submit(*args)
-            wait([future])
-            return future
-
-    batches: list[int] = []
-    with AtOnce(2) as executor:
-        run_all(TASKS[:50], executor, 2, lambda records: batches.append(len(records)))
-
-    assert batches == [8] * 6 + [2]
-
-
-@dataclass(frozen=True)
-class Watched:
-    """A search that counts its runs and can be held back."""
-
-    done: list[int]
-    gate: Event
-    lock: Lock
-
-    def minimise(self, problem: Problem, **budget: Unpack[Budget]) -> Result:  # noqa: ARG002
-        """Wait for the gate, then count."""
-        self.gate.wait(5)
-        with self.lock:
-            self.done.append(1)
-        return Result(x=np.zeros(2), cost=1.0, history=np.zeros(1), evaluations=1)
-
-
-class StopsAt(ThreadPoolExecutor):
-    """An executor that is interrupted when it is handed its n-th task."""
-
-    def __init__(self, workers: int, n: int) -> None:
-        """Count down from n."""
-        super().__init__(workers)
-        self.left = n
-
-    def submit(self, *args: Any, **_: Any) -> Future[Any]:  # noqa: ANN401
-        """Submit, or stop."""
-        self.left -= 1
-        if not self.left:
-            raise KeyboardInterrupt
-        return super().submit(*args)
-
-
-def interrupted(
-    executor: Executor, *, stop: Callable[[], None] = lambda: None, held: float = 0.0
-) -> tuple[list[Record], int]:
-    """Return the records that an interrupted call keeps, and how many runs it made.
-
-    `stop` is called before records are kept; no run ends before `held` seconds have passed.
-    """
-    watched = Watched([], Event(), Lock())
-    paper = searching(watched=watched)
-    tasks = plan([replace(paper, experiments=(replace(paper.experiments[0], runs=50),))], 1)
-    records: list[Record] = []
-
-    def keep(finished: list[Record]) -> None:
-        stop()
-        records.extend(finished)
-
-    Timer(held, watched.gate.set).start()
-    with executor, pytest.raises(KeyboardInterrupt):
-        run_all(tasks, executor, 2, keep)
-    assert len({record.task.name for record in records}) == len(records)
-    return records, len(watched.done)
-
-
-def at_call(n: int) -> Callable[[], None]:
-    calls: list[None] = []
-
-    def stop() -> None:
-        calls.append(None)
-        if len(calls) == n:
-            raise KeyboardInterrupt
-
-    return stop
-
-
-@pytest.mark.parametrize("n", [1, 3])
-def test_interrupt_while_records_are_kept_keeps_every_finished_run(n: int) -> None:
-    records, made = interrupted(ThreadPoolExecutor(2), stop=at_call(n))
-
-    assert 0 < len(records) == made < 50
-
-
-def test_interrupt_while_waiting_keeps_every_finished_run(monkeypatch: pytest.MonkeyPatch) -> None:
-    stop = at_call(3)
-
-    def stopping_wait(*args: Any, **options: Any) -> Any:  # noqa: ANN401
-        stop()
-        return wait(*args, **options)
-
-    monkeypatch.setattr("repro.run.wait", stopping_wait)
-
-    records, made = interrupted(ThreadPoolExecutor(2))
-
-    assert 0 < len(records) == made < 50
-
-
-@pytest.mark.parametrize("n", [5, 12])
-def test_interrupt_while_tasks_are_handed_out_keeps_every_finished_run(n: int) -> None:
-    records, made = interrupted(StopsAt(2, n))
-
-    assert 0 < len(records) == made < n
-
-
-def test_interrupt_drops_what_has_not_started() -> None:
-    records, made = interrupted(StopsAt(2, 8), held=0.3)
-
-    assert len(records) == made == 2
-
-
-class _LosingExecutor(ThreadPoolExecutor):
-    """Loses the worker of every third task, as a cluster does with a task that kills it."""
-
-    submitted = 0
-
-    def submit(
-        self,
-        function: Callable[..., Any],
-        /,
-        *arguments: Any,  # noqa: ANN401 (as in the class that it is made from)
-        **named: Any,  # noqa: ANN401
-    ) -> Future[Any]:
-        """Run the task, or say that its worker is gone."""
-        self.submitted += 1
-        if self.submitted % 3:
-            return super().submit(function, *arguments, **named)
-        gone: Future[Any] = Future()
-        gone.set_exception(RuntimeError("the worker is gone"))
-        return gone
-
-
-def test_task_whose_worker_is_lost_is_named_and_costs_no_other() -> None:
-    found: list[Record] = []
-
-    with _LosingExecutor(2) as executor:
-        run_all(TASKS[:6], executor, 2, found.extend)
-
-    assert Counter(record.task.name for record in found) == Counter(names(TASKS[:6]))
-    reasons = [record.reason for record in found if record.reason]
-    assert reasons == ["its worker was lost: RuntimeError: the worker is gone"] * 2
+    assert holds_interpreter(telling)
+    assert not holds_interpreter(guessing)
+    assert holds_interpreter(replace(guessing, subject=Held()))

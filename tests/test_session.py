@@ -117,7 +117,7 @@ def test_interrupted_session_goes_on_as_if_nothing_had_happened(
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        run(tmp_path / "cut", tasks, report=stop)
+        run(tmp_path / "cut", tasks, report=stop, batch_seconds=0.0)
     kept = len(stored(tmp_path / "cut", tasks))
     run(tmp_path / "cut", tasks)
     run(tmp_path / "whole", tasks)

@@ -54,7 +54,11 @@ class Budget(TypedDict):
 
 
 class Optimiser(Protocol):
-    """Anything that minimises a Problem within a budget."""
+    """Anything that minimises a Problem within a budget.
+
+    One in plain Python sets `holds_interpreter: ClassVar[bool] = True`, so that its runs go to
+    processes; compiled ones lack the attribute and run in threads. Both give the same bits.
+    """
 
     def minimise(self, problem: Problem, **budget: Unpack[Budget]) -> Result:
         """Return the best point found.
