@@ -9,7 +9,7 @@ from repro.figures import SplineMotion
 from repro.report.drawing import Drawing, draw
 
 LONG, SHORT = np.full(5, 6.0), np.full(5, 4.0)
-ANGLE, ALL = PAPER.figures
+ANGLE, ALL, *_ = PAPER.figures
 CELL = ("trajectory", "UR5", "SMWOA")
 
 
