@@ -1,11 +1,13 @@
 """What `repro list` says: papers, experiments, tables, and how many runs are done."""
 
+from collections import Counter
 from collections.abc import Iterable
 from pathlib import Path
 
 from repro.model import Paper
 from repro.plan import plan
 from repro.store import finished_keys
+from repro.studies import studies
 
 Row = dict[str, object]
 
@@ -18,27 +20,30 @@ def listing(papers: Iterable[Paper], repeats: int, store: Path) -> list[Row]:
 
 def _row(paper: Paper, repeats: int, finished: frozenset[str]) -> Row:
     tasks = plan([paper], repeats)
-    experiments = []
-    for experiment in paper.experiments:
-        own = [task for task in tasks if task.experiment == experiment.name]
-        done = sum(task.key in finished for task in own)
-        experiments.append(
+    total = Counter(task.experiment for task in tasks)
+    done = Counter(task.experiment for task in tasks if task.key in finished)
+    experiments, others = (
+        [
             {
                 "name": experiment.name,
                 "problems": list(experiment.problems),
                 "algorithms": list(experiment.algorithms),
-                "done": done,
-                "missing": len(own) - done,
+                "done": done[experiment.name],
+                "missing": total[experiment.name] - done[experiment.name],
             }
-        )
+            for experiment in group
+        ]
+        for group in (paper.experiments, [s.experiment for s in studies(paper, repeats)])
+    )
     return {
         "key": paper.key,
         "title": paper.source.title,
         "tables": [table.label for table in (*paper.inputs, *paper.results)],
         "claims": len(paper.claims),
         "experiments": experiments,
-        "done": sum(task.key in finished for task in tasks),
-        "missing": sum(task.key not in finished for task in tasks),
+        "studies": others,
+        "done": done.total(),
+        "missing": total.total() - done.total(),
     }
 
 
@@ -57,4 +62,10 @@ def listing_text(rows: list[Row]) -> str:
             f"{experiment['missing']} missing"
             for experiment in (experiments if isinstance(experiments, list) else ())
         )
+        others = row["studies"]
+        if isinstance(others, list) and others:
+            lines.append(
+                f"  {len(others)} studies besides: {sum(o['done'] for o in others)} runs done, "
+                f"{sum(o['missing'] for o in others)} missing"
+            )
     return "\n".join(lines) + "\n"

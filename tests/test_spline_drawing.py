@@ -69,7 +69,7 @@ def test_a_single_joint_is_drawn_in_one_panel_with_the_motions_in_the_legend() -
     assert "joint 1" not in found.svg.partition("</desc>")[2]
 
 
-@pytest.mark.parametrize("figure", PAPER.figures, ids=lambda figure: figure.label)
+@pytest.mark.parametrize("figure", [ANGLE, ALL], ids=lambda figure: figure.label)
 def test_every_figure_of_the_paper_is_drawn_without_any_run(figure: SplineMotion) -> None:
     drawn = draw(figure, Evidence(PAPER, {}), "fig")
 

@@ -91,7 +91,7 @@ def _norm_of_cubic() -> float:
 
 
 def _overall(arm: Arm) -> tuple[Sentence, ...]:
-    """Return the claims on WOA against the polynomials, and on the paths that it follows."""
+    """Return the claims on WOA against all other methods."""
     return (
         ahead(
             "WOA plans the better path of all methods (read as: lowest median norm of WOA, GA, "
@@ -113,6 +113,12 @@ def _overall(arm: Arm) -> tuple[Sentence, ...]:
             accepted=Between(0, RESOLUTION),
             in_words=True,
         ),
+    )
+
+
+def _followed(arm: Arm) -> tuple[Sentence, ...]:
+    """Return the claims on the paths that WOA follows, and on a start that varies."""
+    return (
         follows(arm, "WOA", CUBIC_FIT, "abstract and section VI"),
         follows(arm, "WOA", FIT, "abstract and section VI"),
         follows(arm, "WOA", SEPTIC_FIT, "abstract and section VI"),
@@ -244,6 +250,7 @@ def search_claims(usual: str = "median") -> tuple[Sentence, ...]:
     arm = partial(arm_by, usual)
     return (
         *_overall(arm),
+        *_followed(arm),
         *(
             claim
             for claims in (_quality, _smoothness, _search)
