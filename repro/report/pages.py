@@ -16,7 +16,6 @@ from repro.optimum import found_times, time_rows
 from repro.plan import Task
 from repro.readings import fingerprints, reached, varied_evidence
 from repro.report.arm_viewer import viewer
-from repro.report.comparison import Comparison, comparisons
 from repro.report.drawing import Drawing, draw
 from repro.report.files import csv_text, usable_folder, write_file
 from repro.report.readings_view import readings_view
@@ -28,6 +27,7 @@ from repro.report.results import (
     results_text,
     verdict_counts,
 )
+from repro.report.runs_view import runs_view
 from repro.report.view import marks_by_cell, shown, table_view
 from repro.report.words import MEANINGS, SYMBOLS, anchor, number, raised
 from repro.session import gather
@@ -88,7 +88,7 @@ def _paper_files(
     entry = paper_result(
         paper, findings=findings, audit=rows, certificates=certificates, provenance=provenance
     )
-    compared = comparisons(evidence, findings)
+    runs = runs_view(evidence, findings)
     marks = marks_by_cell(rows)
     everything = [shown(finding, marks) for finding in findings]
     found = {(s.finding.table, s.finding.row, s.finding.column): s for s in everything}
@@ -100,7 +100,7 @@ def _paper_files(
         "inputs": [table_view(table, {}) for table in paper.inputs],
         "sentences": [s for s in everything if s.finding.claim],
         "everything": everything,
-        "comparisons": compared,
+        **runs.context(),
         "audit": rows,
         "certificates": [
             (certificate, time_rows(certificate, found_times(certificate, evidence)))
@@ -114,8 +114,7 @@ def _paper_files(
     }
     files[f"{paper.key}.html"] = _render("paper.html", context)
     files[f"{paper.key}.md"] = _render("paper.md", context)
-    files |= _tables(paper, findings, drawings)
-    files |= _comparison_tables(paper, compared)
+    files |= _tables(paper, findings, drawings) | runs.files(paper.key)
     return entry
 
 
@@ -186,14 +185,6 @@ def _tables(paper: Paper, findings: Sequence[Finding], drawings: Sequence[Drawin
     for figure, drawing in zip(paper.figures, drawings, strict=True):
         files[f"tables/{paper.key}-{anchor(figure.label)}.csv"] = csv_text(drawing.rows)
     return files
-
-
-def _comparison_tables(paper: Paper, compared: Iterable[Comparison]) -> Files:
-    return {
-        f"tables/{paper.key}-{anchor(kind, comparison.experiment.name)}.csv": csv_text(rows)
-        for comparison in compared
-        for kind, rows in comparison.tables()
-    }
 
 
 def _csv_row(finding: Finding) -> tuple[object, ...]:

@@ -34,7 +34,8 @@ def number(value: float | None, digits: int = 4) -> str:
         return f"{value:.0f}"
     if 1e-3 <= abs(value) < 1e5:
         whole = abs(value) >= 10**digits
-        return f"{value:.0f}" if whole else f"{value:#.{digits}g}".rstrip(".")
+        text = f"{value:.0f}" if whole else f"{value:#.{digits}g}".rstrip(".")
+        return f"{value:.0f}" if "e" in text else text  # 999.96 rounds up to a whole thousand
     mantissa, _, power = f"{value:.{digits - 1}e}".partition("e")
     return f"{mantissa}×10^{int(power)}"
 

@@ -1,0 +1,54 @@
+"""What the pages draw from the runs themselves, beside the verdicts on what is printed."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from repro.evidence import Evidence
+from repro.findings import Finding
+from repro.report.centre_bias_view import CentreBias, centre_biases
+from repro.report.comparison import Comparison, comparisons
+from repro.report.files import csv_text
+from repro.report.style import Rows
+from repro.report.words import anchor
+from repro.shifts import centred
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RunsView:
+    """Tests between algorithms, and what they do off the centre.
+
+    `shiftable` says whether any problem has its optimum about the centre.
+    """
+
+    comparisons: tuple[Comparison, ...]
+    centre_biases: tuple[CentreBias, ...]
+    shiftable: bool
+
+    def context(self) -> dict[str, object]:
+        """Return what the templates name."""
+        return {
+            "comparisons": self.comparisons,
+            "centre_biases": self.centre_biases,
+            "shiftable": self.shiftable,
+        }
+
+    def files(self, key: str) -> dict[str, str]:
+        """Return the CSV files of a paper's page, by their place in the reports folder."""
+        return {f"tables/{key}-{name}.csv": csv_text(rows) for name, rows in self.tables().items()}
+
+    def tables(self) -> Mapping[str, Rows]:
+        """Return the data of everything shown, by the name of its file."""
+        named = [
+            (kind, c.experiment.name, rows) for c in self.comparisons for kind, rows in c.tables()
+        ]
+        named += [("centre bias", b.experiment.name, b.drawing.rows) for b in self.centre_biases]
+        return {anchor(kind, name): rows for kind, name, rows in named}
+
+
+def runs_view(evidence: Evidence, findings: Sequence[Finding]) -> RunsView:
+    """Return what is shown of a paper's runs; `findings` are those of its claims, in order."""
+    return RunsView(
+        comparisons=comparisons(evidence, findings),
+        centre_biases=centre_biases(evidence),
+        shiftable=any(map(centred, evidence.paper.experiments)),
+    )

@@ -1,0 +1,39 @@
+import pytest
+
+from repro.evidence import Evidence
+from repro.findings import judge_paper
+from repro.model import Paper
+from repro.report.runs_view import RunsView, runs_view
+from tests.doe2021 import PAPER
+from tests.small_papers import PAPER as SMALL
+from tests.test_centre_bias_view import evidence
+
+
+def shown(of: Evidence) -> RunsView:
+    return runs_view(of, judge_paper(of))
+
+
+def test_data_of_everything_shown_has_a_file_of_its_own() -> None:
+    tables = shown(evidence()).tables()
+
+    assert {"centre-bias-test"} <= set(tables)
+    assert tables["centre-bias-test"][0][:2] == ("algorithm", "shift")
+
+
+@pytest.mark.parametrize(("paper", "shiftable"), [(PAPER, True), (SMALL, False)])
+def test_a_paper_without_runs_shows_none(paper: Paper, *, shiftable: bool) -> None:
+    view = shown(Evidence(paper, {}))
+
+    assert (view.comparisons, view.centre_biases) == ((), ())
+    assert view.shiftable == shiftable
+    assert view.tables() == view.files("doe2021") == {}
+
+
+def test_templates_get_everything_by_name() -> None:
+    assert set(shown(evidence()).context()) >= {"comparisons", "centre_biases", "shiftable"}
+
+
+def test_files_are_named_by_paper_and_table() -> None:
+    text = shown(evidence()).files("doe2021")["tables/doe2021-centre-bias-test.csv"]
+
+    assert text.startswith("algorithm,shift,problem,ratio")
