@@ -106,18 +106,24 @@ def _reproduce(options: argparse.Namespace) -> int:
     from repro.interrupts import terminable  # noqa: PLC0415
     from repro.plan import plan  # noqa: PLC0415
     from repro.report.files import usable_folder  # noqa: PLC0415
+    from repro.session import mended  # noqa: PLC0415
     from repro.store import Store  # noqa: PLC0415
 
     chosen = _chosen(options.keys)
     tasks = plan(chosen, options.repeats)
     checked_workers(options.workers)
     usable_folder(options.reports)
-    with terminable(), Store(options.store) as store:
+
+    def work() -> "list[Record]":
         failed = _run(store, tasks, options)
         pages = importlib.import_module(PAGES)
         pages.write_report(store, chosen, tasks, options.reports, all_papers().values())
+        return failed
+
+    with terminable(), Store(options.store, say=_warn) as store:
+        failed = mended(store, work)
     for record in failed:
-        sys.stderr.write(f"repro: run {record.task.name} failed: {record.reason}\n")
+        _warn(f"run {record.task.name} failed: {record.reason}")
     sys.stdout.write(f"pages: {options.reports / 'index.html'}\n")
     return SOME_RUN_FAILED if failed else 0
 
@@ -140,6 +146,10 @@ def _run(store: "Store", tasks: Sequence["Task"], options: argparse.Namespace) -
         return run(executor=executor, workers=workers)
 
 
+def _warn(line: str) -> None:
+    sys.stderr.write(f"repro: {line}\n")
+
+
 def _report(options: argparse.Namespace) -> int:
     from repro.plan import plan  # noqa: PLC0415 (slow imports late)
     from repro.report.pages import write_report  # noqa: PLC0415
@@ -147,7 +157,7 @@ def _report(options: argparse.Namespace) -> int:
 
     chosen = _chosen(options.keys)
     tasks = plan(chosen, options.repeats)
-    with Store(options.store) as store:
+    with Store(options.store, writing=False) as store:
         write_report(store, chosen, tasks, options.reports, all_papers().values())
     sys.stdout.write(f"pages: {options.reports / 'index.html'}\n")
     return 0

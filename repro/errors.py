@@ -25,6 +25,10 @@ class Terminated(KeyboardInterrupt):
     """Somebody asked this process to end, by SIGTERM."""
 
 
+class DamageError(StoreError):
+    """A row of the store, or its file, is not what was written."""
+
+
 class ClusterLostError(ReproError):
     """The cluster went away; what is finished is stored and the next call goes on from there."""
 

@@ -5,16 +5,21 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import Executor
 from itertools import groupby
 from operator import attrgetter
+from typing import TypeVar
 
 import numpy as np
 
 from repro.dispatch import BATCH_SECONDS, run_all
+from repro.errors import DamageError
 from repro.evidence import Cell, Evidence, Runs
 from repro.model import Paper
 from repro.plan import Task
 from repro.run import Record
 from repro.store import Store
 from repro.studies import Study
+
+T = TypeVar("T")
+MENDINGS = 3  # more damage than that within one call is the disk's
 
 
 def run_missing(
@@ -50,6 +55,16 @@ def run_missing(
 
     run_all(missing, executor, workers, keep, batch_seconds=batch_seconds)
     return failed
+
+
+def mended(store: Store, work: Callable[[], T]) -> T:
+    """Return what the work at a store returns; set damage aside and work again as it shows."""
+    for _ in range(MENDINGS):
+        try:
+            return work()
+        except DamageError as damage:
+            store.mend(damage)
+    return work()
 
 
 def gather(

@@ -1,258 +1,263 @@
 """Finished runs on disk: one SQLite file, each run written once, each row under a digest."""
 
-import fcntl
-import hashlib
 import json
 import sqlite3
-from collections.abc import Iterable, Iterator, Mapping
-from contextlib import AbstractContextManager, closing, contextmanager
-from functools import partial
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager, suppress
+from itertools import islice
 from pathlib import Path
-from typing import Self
+from typing import Any, Self
 
-import numpy as np
-from numpy.typing import NDArray
-
-from repro.errors import InputError, StoreError
+from repro.errors import DamageError, StoreError
 from repro.plan import Task
+from repro.rows import COLUMNS, curve_of, digest, pack, record_of, values_of
 from repro.run import Record
-
-SCHEMA = 1
-APPLICATION = 0x52455052  # "REPR"
-_FLOAT = np.dtype("<f8")
-# what SQLite says where the place is at fault and not the file
-_UNUSABLE = ("SQLITE_CANTOPEN", "SQLITE_FULL", "SQLITE_IOERR", "SQLITE_READONLY")
-_TABLES = """
-create table env(id integer primary key, json text unique not null);
-create table run(
-    id integer primary key, key text unique not null, paper text not null, experiment text not null,
-    problem text not null, algorithm text not null, repeat integer not null, run integer not null,
-    cost real, x blob not null, evaluations integer not null, seconds real not null,
-    reason text, env integer not null references env(id), sha text not null);
-create table curve(id integer primary key references run(id), y blob not null);
-"""
-_COLUMNS = (
-    "key, paper, experiment, problem, algorithm, repeat, run, cost, x, evaluations, seconds, "
-    "reason, env"
+from repro.salvage import (
+    damaged_rows,
+    has_packed,
+    row_query,
+    set_aside,
+    set_file_aside,
+    take_over,
+    whole_rows,
 )
+from repro.schema import NAME, UNREADABLE, lock, lock_to_read, open_to_read, open_to_write, refusing
+
+_NAMED = 20  # damaged rows that are named one by one
+_AT_ONCE = 1000  # rows that one transaction takes over from a damaged file
+
+
+def _silent(_: str) -> None:
+    """Say nothing."""
 
 
 class Store:
-    """The store in one folder; a context manager that holds its lock."""
+    """The store in one folder; a context manager that holds its lock.
 
-    def __init__(self, folder: Path) -> None:
+    Whoever writes waits for the lock and sets aside what is damaged when it opens the file, with a
+    line to `say` for each. Whoever only reads (`writing=False`) changes nothing, waits for nobody
+    and refuses a damaged file.
+    """
+
+    def __init__(
+        self, folder: Path, *, writing: bool = True, say: Callable[[str], None] = _silent
+    ) -> None:
         """Name the folder; nothing is touched before the store is entered."""
         self.folder = folder
-        self.path = folder / "runs.sqlite"
+        self.path = folder / NAME
+        self._writing = writing
+        self._say = say
         self._env: int | None = None
         self._environment = ""
 
     def __enter__(self) -> Self:
         """Lock and open; InputError for a folder that cannot be used, StoreError otherwise."""
-        try:
-            self.folder.mkdir(parents=True, exist_ok=True)
-            self._lock = (self.folder / "lock").open("w")
-        except OSError as error:
-            message = f"the store folder {self.folder} cannot be used: {error.strerror}"
-            raise InputError(message) from None
-        try:
-            fcntl.flock(self._lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError:
-            self._lock.close()
-            message = f"the store {self.folder} is in use by another run; wait or name another"
-            raise StoreError(message) from None
+        self._lock = lock(self.folder, self._say) if self._writing else lock_to_read(self.folder)
         try:
             self._open()
         except BaseException:
-            self._lock.close()
+            self._unlock()
             raise
         return self
 
     def __exit__(self, *_: object) -> None:
         """Close and unlock."""
-        self._database.close()
-        self._lock.close()
+        with suppress(*UNREADABLE):  # what was committed is on disk already
+            self._database.close()
+        self._unlock()
+
+    def _unlock(self) -> None:
+        if self._lock is not None:
+            self._lock.close()
 
     def _open(self) -> None:
-        with self._refusing():
-            self._database = sqlite3.connect(self.path)
         try:
-            with self._refusing():
-                self._prepare()
-        except BaseException:
-            self._database.close()
-            raise
+            if self._writing:
+                self._use(open_to_write(self.path))
+            else:
+                self._use(open_to_read(self.path, alone=self._lock is not None))
+        except DamageError as damage:
+            if not self._writing:
+                raise _with_cure(damage) from None
+            self._set_file_aside(damage)
 
-    def _prepare(self) -> None:
-        # damaged text is for the digest of its row to find, which can name the row
-        self._database.text_factory = partial(str, encoding="utf-8", errors="replace")
-        made = _is_made(self._database, self.path)
-        self._database.execute("pragma journal_mode=wal")
-        self._database.execute("pragma synchronous=full")
-        if not made:
-            # in one transaction: a crash leaves a whole store or none
-            self._database.executescript(
-                f"begin; {_TABLES} pragma application_id={APPLICATION}; "
-                f"pragma user_version={SCHEMA}; commit;"
-            )
+    def _use(self, database: sqlite3.Connection) -> None:
+        self._database = database
+        self._hides_none = False
+        with self._refusing():
+            self._row = row_query(packed=has_packed(database))
 
-    def _refusing(self) -> AbstractContextManager[None]:
-        return _refusing(self.path)
+    @contextmanager
+    def _refusing(self) -> Iterator[None]:
+        try:
+            with refusing(self.path):
+                yield
+        except DamageError as damage:
+            if self._writing:
+                raise
+            raise _with_cure(damage) from None
 
     def begin(self, environment: Mapping[str, object]) -> None:
         """Say under which environment the runs that follow are made."""
         text = json.dumps(environment, sort_keys=True)
         with self._refusing(), self._database:
             self._database.execute("insert or ignore into env(json) values (?)", (text,))
-            found = self._database.execute("select id from env where json = ?", (text,))
-            self._env = int(found.fetchone()[0])
+            found = self._database.execute(
+                "select id from env not indexed where json = ?", (text,)
+            ).fetchone()
+            number = found[0] if found else None  # where the index alone has it
+            if not isinstance(number, int):
+                message = f"{self.path}: an environment is damaged"
+                raise DamageError(message)
+            self._env = number
             self._environment = text
 
     def missing(self, tasks: Iterable[Task]) -> list[Task]:
-        """Return the tasks without a finished run, in order; failed runs are tried again."""
+        """Return the tasks without a finished run, in order; failed runs are tried again.
+
+        Raises DamageError for a run that is missing because its row is damaged.
+        """
+        finished = self.finished()
+        missing = [task for task in tasks if task.key not in finished]
+        for task in missing:
+            number = self._number(task)
+            if number is not None:
+                self._record(task, number)
+        return missing
+
+    def _number(self, task: Task) -> Any:  # noqa: ANN401 (what a damaged index holds)
+        """Return the id that the index has for a task; None where it has none."""
+        with self._refusing():
+            query = "select id from run indexed by sqlite_autoindex_run_1 where key = ?"
+            found = self._database.execute(query, (task.key,)).fetchone()
+        return found[0] if found else None
+
+    def _refuse_hidden(self) -> None:
+        """Raise DamageError where the index hides a row; looked at once."""
+        if self._hides_none:
+            return
+        query = """select count(*) from run as whole not indexed where not exists (
+            select 1 from run indexed by sqlite_autoindex_run_1
+            where key = whole.key and id = whole.id)"""
+        with self._refusing():
+            if self._database.execute(query).fetchone() != (0,):
+                message = f"{self.path}: the index is damaged"
+                raise DamageError(message)
+        self._hides_none = True
+
+    def _record(self, task: Task, number: int) -> Record:
+        with self._refusing():
+            row = self._database.execute(self._row, (number,)).fetchone()
+            record = record_of(task, row)
+            if record is None:
+                message = f"{self.path}: the row of {task.name} is damaged"
+                raise DamageError(message)
+        return record
+
+    def finished(self) -> frozenset[str]:
+        """Return the keys of all finished runs."""
         with self._refusing():
             rows = self._database.execute("select key from run where reason is null")
-            finished = {key for (key,) in rows}
-        return [task for task in tasks if task.key not in finished]
+            return frozenset(key for (key,) in rows)
 
     def add(self, records: Iterable[Record]) -> None:
         """Write finished runs in one transaction."""
         marks = ", ".join("?" * 14)
         with self._refusing(), self._database:
             for record in records:
-                values = self._values(record)
-                curve = record.history.astype(_FLOAT).tobytes()
+                values = values_of(record, self._env)
+                curve = curve_of(record)
                 self._database.execute(
                     "delete from curve where id = (select id from run where key = ?)", values[:1]
                 )
                 added = self._database.execute(
-                    f"insert or replace into run({_COLUMNS}, sha) values ({marks})",  # noqa: S608
-                    (*values, _digest(values, self._environment, curve)),
+                    f"insert or replace into run({COLUMNS}, sha) values ({marks})",  # noqa: S608
+                    (*values, digest(values, self._environment, curve)),
                 )
                 self._database.execute(
-                    "insert into curve(id, y) values (?, ?)", (added.lastrowid, curve)
+                    "insert into curve(id, y, packed) values (?, ?, 1)",
+                    (added.lastrowid, pack(curve)),
                 )
-
-    def _values(self, record: Record) -> tuple[object, ...]:
-        task = record.task
-        return (
-            task.key,
-            task.paper,
-            task.experiment,
-            task.problem,
-            task.algorithm,
-            task.repeat,
-            task.run,
-            None if record.reason else float(record.cost) + 0.0,  # SQLite keeps no negative zero
-            record.x.astype(_FLOAT).tobytes(),
-            int(record.evaluations),
-            float(record.seconds),
-            record.reason,
-            self._env,
-        )
 
     def records(self, tasks: Iterable[Task]) -> Iterator[Record]:
         """Yield the stored record of each task that has one, in the order of the tasks.
 
-        Raises StoreError for a row that is not what was written.
+        Raises DamageError for a row that is not what was written.
         """
-        query = (
-            f"select {_COLUMNS}, sha, json, y from run left join curve using (id) "  # noqa: S608
-            "left join env on env.id = run.env where run.id = ?"
-        )
-        with self._refusing():
-            # read from the rows, as `missing` does: a damaged index must hide none
-            ids = dict(self._database.execute("select key, id from run not indexed").fetchall())
         for task in tasks:
-            if task.key in ids:
-                with self._refusing():
-                    row = self._database.execute(query, (ids[task.key],)).fetchone()
-                yield self._record(task, row)
-
-    def _record(self, task: Task, row: tuple[object, ...] | None) -> Record:
-        *values, sha, environment, curve = row or (None, None, None)
-        if not isinstance(curve, bytes) or sha != _digest(tuple(values), environment, curve):
-            message = f"{self.path}: the row of {task.name} is damaged; delete it or the store"
-            raise StoreError(message)
-        cost, x, evaluations, seconds, reason = values[7:12]
-        return Record(
-            task=task,
-            cost=float("nan") if cost is None else float(str(cost)),
-            x=_vector(x),
-            history=_vector(curve),
-            evaluations=int(str(evaluations)),
-            seconds=float(str(seconds)),
-            reason=None if reason is None else str(reason),
-        )
+            number = self._number(task)
+            if number is None:
+                self._refuse_hidden()
+            else:
+                yield self._record(task, number)
 
     def environments(self, tasks: Iterable[Task]) -> list[dict[str, object]]:
         """Return the environments in which the stored runs of these tasks were made, in order."""
         wanted = {task.key for task in tasks}
         with self._refusing():
-            rows = self._database.execute("select key, env from run").fetchall()
+            rows = self._database.execute("select key, env from run not indexed")
+            used = {env for key, env in rows if key in wanted}
             texts = dict(self._database.execute("select id, json from env").fetchall())
-        used = sorted({env for key, env in rows if key in wanted})
+            try:
+                return [json.loads(texts[env]) for env in sorted(used)]
+            except (KeyError, TypeError, ValueError):
+                message = f"{self.path}: the environment of a run is damaged"
+                raise DamageError(message) from None
+
+    def damaged(self) -> Iterator[str]:
+        """Yield the name of every row that is not what was written."""
+        with self._refusing():
+            yield from (name for _, name in damaged_rows(self._database))
+
+    def set_rows_aside(self) -> int:
+        """Set aside and name every damaged row, and return their number."""
+        with self._refusing():
+            found = list(damaged_rows(self._database))
+            if found:
+                set_aside(self._database, [number for number, _ in found])
+        for _, name in found[:_NAMED]:
+            self._say(
+                f"{self.path}: the row of {name} is damaged; it is set aside in the table "
+                "`damaged`, and the run is made again where it is asked for"
+            )
+        if len(found) > _NAMED:
+            self._say(f"{self.path}: {len(found) - _NAMED} more rows are set aside likewise")
+        return len(found)
+
+    def mend(self, damage: DamageError) -> None:
+        """Set aside the rows that are damaged, or else the file, of which whole rows are kept."""
         try:
-            return [json.loads(texts[env]) for env in used]
-        except (KeyError, ValueError):
-            message = f"{self.path}: the environment of a run is damaged; delete the store"
-            raise StoreError(message) from None
+            found = self.set_rows_aside()
+        except StoreError:
+            found = 0
+        if not found:
+            with suppress(*UNREADABLE):
+                self._database.close()
+            self._set_file_aside(damage)
+
+    def _set_file_aside(self, damage: DamageError) -> None:
+        with refusing(self.folder):
+            aside = set_file_aside(self.folder)
+        self._use(open_to_write(self.path))
+        rows = whole_rows(aside)
+        kept = 0
+        with self._refusing():
+            while batch := list(islice(rows, _AT_ONCE)):
+                with self._database:
+                    for row in batch:
+                        take_over(self._database, row)
+                kept += len(batch)
+        self._say(
+            f"{damage}; it is set aside as {aside}, {kept} whole runs are taken over from it, "
+            "and any other is made again where it is asked for"
+        )
 
 
-def _vector(blob: object) -> NDArray[np.float64]:
-    return np.frombuffer(blob if isinstance(blob, bytes) else b"", dtype=_FLOAT).astype(np.float64)
-
-
-def _digest(values: tuple[object, ...], environment: object, curve: bytes) -> str:
-    digest = hashlib.sha256()
-    for value in (*values, environment):
-        text = value.hex() if isinstance(value, float | bytes) else repr(value)
-        digest.update(f"{type(value).__name__}:{text}\0".encode())
-    digest.update(curve)
-    return digest.hexdigest()
+def _with_cure(damage: DamageError) -> DamageError:
+    return DamageError(f"{damage}; `repro reproduce` sets it aside and runs again what it held")
 
 
 def finished_keys(folder: Path) -> frozenset[str]:
-    """Return the keys of all finished runs in a store that is only read; none where none is.
-
-    Raises StoreError for a file that is no store or a newer one.
-    """
-    path = folder / "runs.sqlite"
-    if folder.exists() and not folder.is_dir():
-        message = f"the store folder {folder} cannot be used: it is a file"
-        raise InputError(message)
-    if not path.exists():
-        return frozenset()
-    with (
-        _refusing(path),
-        closing(sqlite3.connect(f"{path.resolve().as_uri()}?mode=ro", uri=True)) as database,
-    ):
-        made = _is_made(database, path)
-        rows = database.execute("select key from run where reason is null") if made else ()
-        return frozenset(key for (key,) in rows)
-
-
-def _is_made(database: sqlite3.Connection, path: Path) -> bool:
-    """Return whether the file holds a store, False where it is empty; StoreError for any other."""
-    version, application = (
-        int(database.execute(f"pragma {name}").fetchone()[0])
-        for name in ("user_version", "application_id")
-    )
-    empty = database.execute("select count(*) from sqlite_master").fetchone() == (0,)
-    if application != APPLICATION and (application or version or not empty):
-        message = f"{path} is not a store of repro: name another folder with --store"
-        raise StoreError(message)
-    if version > SCHEMA:
-        message = f"{path} has schema {version}, newer than {SCHEMA}: update repro"
-        raise StoreError(message)
-    return version > 0
-
-
-@contextmanager
-def _refusing(path: Path) -> Iterator[None]:
-    try:
-        yield
-    except sqlite3.Error as error:
-        unusable = getattr(error, "sqlite_errorname", "").startswith(_UNUSABLE)
-        message = f"{path} cannot be used as a store: {error}"
-        raise (InputError if unusable else StoreError)(message) from None
+    """Return the keys of all finished runs in a store that is only read; none where none is."""
+    with Store(folder, writing=False) as store:
+        return store.finished()

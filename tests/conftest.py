@@ -1,10 +1,31 @@
-"""How many examples property-based tests try: HYPOTHESIS_PROFILE is "tests" or "fuzz"."""
+"""How many examples property-based tests try, and what the tests of faults counted.
+
+HYPOTHESIS_PROFILE is "tests" or "fuzz"; REPRO_FAULTS is "long" for the long form of the faults.
+"""
 
 import os
+from collections import Counter
 
+import pytest
 from hypothesis import settings
 
 # compiled kernels make the first example slow, so no example has a deadline
 settings.register_profile("tests", max_examples=200, deadline=None)
 settings.register_profile("fuzz", max_examples=10_000, deadline=None)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "tests"))
+
+_TALLY = pytest.StashKey[Counter[str]]()
+
+
+@pytest.fixture
+def tally(pytestconfig: pytest.Config) -> Counter[str]:
+    """Return what counts kills, damages and bad inputs for the summary."""
+    return pytestconfig.stash.setdefault(_TALLY, Counter())
+
+
+def pytest_terminal_summary(
+    terminalreporter: pytest.TerminalReporter, config: pytest.Config
+) -> None:
+    """Say what was counted."""
+    for name, number in config.stash.get(_TALLY, Counter[str]()).items():
+        terminalreporter.write_line(f"{name}: {number:,}")

@@ -1,11 +1,15 @@
 """A store on disk that holds every run of the small paper, and ways to look at it and harm it."""
 
 import sqlite3
+from concurrent.futures import Executor, Future
 from contextlib import closing
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 from repro.plan import plan
 from repro.run import Record, execute
+from repro.session import mended, run_missing
 from repro.store import Store
 from tests.small_papers import PAPER
 
@@ -42,7 +46,62 @@ def content(record: Record) -> tuple[object, ...]:
     )
 
 
+def reproduced(folder: Path) -> tuple[list[tuple[object, ...]], list[str], list[str]]:
+    """Run what the store lacks, as `repro reproduce` does.
+
+    Return what it holds then but for the seconds, the names of the runs that were made, and what
+    was said.
+    """
+    said: list[str] = []
+    made: list[str] = []
+
+    with Store(folder, say=said.append) as store, InOrder(made) as executor:
+
+        def work() -> list[tuple[object, ...]]:
+            run_missing(
+                store,
+                TASKS,
+                executor=executor,
+                workers=1,
+                environment=lambda: ENVIRONMENT,
+                report=lambda _done, _to_do: None,
+            )
+            return [timeless(record) for record in store.records(TASKS)]
+
+        return mended(store, work), made, said
+
+
+class InOrder(Executor):
+    """Runs each task at once and notes its name."""
+
+    def __init__(self, names: list[str]) -> None:
+        """Note the names in a list."""
+        self._names = names
+
+    def submit(self, function: Any, /, *arguments: Any, **named: Any) -> Future[Any]:  # noqa: ANN401
+        """Run at once."""
+        self._names.append(arguments[0].name)
+        future: Future[Any] = Future()
+        future.set_result(function(*arguments, **named))
+        return future
+
+
+def timeless(record: Record) -> tuple[object, ...]:
+    """Return everything that a record says but the seconds that it took."""
+    return content(replace(record, seconds=0.0))
+
+
+def read(folder: Path) -> list[tuple[object, ...]]:
+    """Return what a reader finds, but for the seconds."""
+    with Store(folder, writing=False) as store:
+        store.environments(TASKS)
+        return [timeless(record) for record in store.records(TASKS)]
+
+
 def stored(folder: Path) -> list[tuple[object, ...]]:
     """Return the content of every record in the store."""
     with Store(folder) as store:
         return [content(record) for record in store.records(TASKS)]
+
+
+INTACT = [timeless(record) for record in RECORDS]

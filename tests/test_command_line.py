@@ -9,7 +9,7 @@ import pytest
 
 from repro.__main__ import all_papers, main
 from repro.model import Paper
-from repro.store import SCHEMA
+from repro.schema import SCHEMA
 from tests.small_papers import PAPER, Failing, Guessing, searching
 
 KEYS = tuple(all_papers())
@@ -64,7 +64,7 @@ def test_unknown_paper_is_named_with_the_known_ones(run: Run, command: str) -> N
         (("reproduce", "--workers", "0"), "workers is 0; it must be 1 or more"),
         (("reproduce", "--store", "file"), "the store folder file cannot be used: File exists"),
         (("reproduce", "--store", "file/in"), "file/in cannot be used: Not a directory"),
-        (("report", "--store", "file"), "the store folder file cannot be used: File exists"),
+        (("report", "--store", "file"), "the store folder file cannot be used: it is a file"),
         (("list", "--store", "file"), "the store folder file cannot be used: it is a file"),
         (("reproduce", "--reports", "file"), "the reports folder file cannot be used: File exists"),
         (("report", "--reports", "file"), "the reports folder file cannot be used: File exists"),
@@ -104,7 +104,7 @@ def test_newer_store_is_refused_with_exit_code_3(run: Run, command: str) -> None
     code, out, err = run(command, "--repeats", "1")
 
     assert (code, out) == (3, "")
-    assert err == "repro: .repro/runs.sqlite has schema 2, newer than 1: update repro\n"
+    assert err == "repro: .repro/runs.sqlite has schema 3, newer than 2: update repro\n"
 
 
 @pytest.mark.usefixtures("small")

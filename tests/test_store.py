@@ -1,10 +1,12 @@
 import math
+import shutil
 import sqlite3
 import tempfile
 from collections.abc import Callable, Iterator
 from contextlib import closing
 from dataclasses import replace
 from pathlib import Path
+from threading import Event, Thread
 from typing import Any
 
 import numpy as np
@@ -16,7 +18,8 @@ from numpy.typing import NDArray
 from repro.errors import InputError, StoreError
 from repro.plan import plan
 from repro.run import execute
-from repro.store import APPLICATION, SCHEMA, Store, finished_keys
+from repro.schema import APPLICATION, SCHEMA
+from repro.store import Store, finished_keys
 from tests.small_papers import Failing, searching
 from tests.small_stores import ENVIRONMENT, RECORDS, TASKS, change, content, filled, stored
 
@@ -140,30 +143,9 @@ def test_newer_store_is_refused(folder: Path) -> None:
     change(folder, f"pragma user_version = {SCHEMA + 1}")
 
     for use in (stored, finished_keys):
-        with pytest.raises(StoreError, match="has schema 2, newer than 1: update repro") as error:
+        with pytest.raises(StoreError, match="has schema 3, newer than 2: update repro") as error:
             use(folder)
         assert error.value.exit_code == 3
-
-
-def test_file_that_is_no_database_is_refused(tmp_path: Path) -> None:
-    (tmp_path / "runs.sqlite").write_text("not a database, but long enough to be looked at" * 99)
-
-    for use in (stored, finished_keys):
-        with pytest.raises(StoreError, match="cannot be used as a store: file is not a database"):
-            use(tmp_path)
-
-
-@pytest.mark.parametrize(
-    "mark", ["create table run(id)", "pragma user_version = 7", "pragma application_id = 7"]
-)
-def test_database_of_another_program_is_refused_and_left_alone(tmp_path: Path, mark: str) -> None:
-    change(tmp_path, mark)
-    before = (tmp_path / "runs.sqlite").read_bytes()
-
-    for use in (stored, finished_keys):
-        with pytest.raises(StoreError, match="is not a store of repro: name another folder"):
-            use(tmp_path)
-    assert (tmp_path / "runs.sqlite").read_bytes() == before
 
 
 @pytest.mark.parametrize("mark", ["pragma journal_mode = wal", "select 1"])
@@ -176,7 +158,7 @@ def test_store_whose_making_was_cut_short_is_made_anew(tmp_path: Path, mark: str
 
 
 def test_store_is_made_whole_or_not_at_all(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("repro.store._TABLES", "create table env(id); create table env(id);")
+    monkeypatch.setattr("repro.schema.TABLES", "create table env(id); create table env(id);")
     with pytest.raises(StoreError, match="already exists"), Store(tmp_path):
         pass
     monkeypatch.undo()
@@ -184,13 +166,27 @@ def test_store_is_made_whole_or_not_at_all(tmp_path: Path, monkeypatch: pytest.M
     assert stored(tmp_path) == []
 
 
-def test_second_opener_is_refused_until_the_first_has_left(folder: Path) -> None:
-    with Store(folder):
-        with pytest.raises(StoreError, match="is in use by another run"), Store(folder):
-            pass
-        assert len(finished_keys(folder)) == len(TASKS)  # a reader is not held up
+def test_second_writer_waits_for_the_first_and_says_so_and_readers_do_not(folder: Path) -> None:
+    said: list[str] = []
+    waiting, entered = Event(), Event()
 
-    assert len(stored(folder)) == len(TASKS)
+    def say(line: str) -> None:
+        said.append(line)
+        waiting.set()
+
+    def enter() -> None:
+        with Store(folder, say=say):
+            entered.set()
+
+    with Store(folder):
+        second = Thread(target=enter)
+        second.start()
+        assert waiting.wait(10)
+        assert len(finished_keys(folder)) == len(TASKS)
+        assert not entered.is_set()
+    second.join(10)
+    assert entered.is_set()
+    assert said == [f"the store {folder} is in use by another call; waiting until it is free"]
 
 
 def test_store_that_was_refused_is_not_left_locked(folder: Path) -> None:
@@ -200,6 +196,39 @@ def test_store_that_was_refused_is_not_left_locked(folder: Path) -> None:
     change(folder, f"pragma user_version = {SCHEMA}")
 
     assert len(stored(folder)) == len(TASKS)
+
+
+def reading(folder: Path) -> list[tuple[object, ...]]:
+    """Return the content of every record in a store that is only read."""
+    with Store(folder, writing=False) as store:
+        return [content(record) for record in store.records(TASKS)]
+
+
+def test_reader_changes_nothing_and_leaves_no_file(folder: Path) -> None:
+    before = {path.name: path.read_bytes() for path in folder.iterdir()}
+
+    assert reading(folder) == [content(record) for record in RECORDS]
+
+    assert {path.name: path.read_bytes() for path in folder.iterdir()} == before
+
+
+def test_reader_sees_one_state_while_another_call_writes(folder: Path) -> None:
+    with Store(folder) as store:
+        store.begin(ENVIRONMENT)
+        with Store(folder, writing=False) as reader:
+            before = reader.finished()
+            store.add([replace(RECORDS[0], task=replace(TASKS[0], key="0" * 64))])
+            assert reader.finished() == before
+        assert finished_keys(folder) == before | {"0" * 64}
+
+
+def test_reader_finds_what_a_killed_call_left_in_its_journal(folder: Path, tmp_path: Path) -> None:
+    with Store(folder) as store:
+        store.begin(ENVIRONMENT)
+        store.add([replace(RECORDS[0], task=replace(TASKS[0], key="0" * 64))])
+        shutil.copytree(folder, tmp_path / "killed")
+
+    assert finished_keys(tmp_path / "killed") == {task.key for task in TASKS} | {"0" * 64}
 
 
 @pytest.mark.parametrize("use", [stored, finished_keys])

@@ -4,6 +4,7 @@ import csv
 import io
 import os
 from collections.abc import Iterable
+from contextlib import suppress
 from pathlib import Path
 
 from repro.errors import InputError
@@ -31,11 +32,13 @@ def csv_text(rows: Iterable[Iterable[object]]) -> str:
 
 def write_file(path: Path, text: str) -> None:
     """Replace a file at once, so that no reader sees half of it; InputError where it cannot be."""
+    draft = path.with_name(f".{path.name}.{os.getpid()}.draft")  # two calls may write at once
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        draft = path.with_name(f".{path.name}.draft")
         draft.write_text(text, encoding="utf-8")
         draft.replace(path)
     except OSError as error:
+        with suppress(OSError):
+            draft.unlink(missing_ok=True)
         message = f"{path} cannot be written: {error.strerror}"
         raise InputError(message) from None
