@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from repro.conduct import Given, fault
 from repro.plan import Task
 from repro.seeds import generator
 
@@ -33,21 +34,34 @@ class Record:
 def execute(task: Task) -> Record:
     """Return the record of one run: the same bits wherever and whenever it runs.
 
-    An exception or a cost that is not finite is recorded as a failed run with its reason.
+    An exception, a cost that is not finite, and a search that breaks its rules (see `conduct`)
+    are recorded as a failed run with its reason.
     """
     start = time.perf_counter()
     try:
+        given = Given.of(task.subject)
+        before = given.bounds.tobytes(), given.data.tobytes()
+        budget = _budget(task)
         result = task.optimiser.minimise(
-            task.subject, population=task.population, rng=generator(task.stream), **_budget(task)
+            given, population=task.population, rng=generator(task.stream), **budget
         )
-    except Exception as error:  # noqa: BLE001 (one run's fault must not cost the others)
+        seconds = time.perf_counter() - start
+        reason = fault(
+            result,
+            given,
+            before,
+            optimiser=task.optimiser,
+            population=task.population,
+            iterations=budget.get("iterations"),
+            evaluations=task.evaluations,
+        )
+    except (Exception, SystemExit) as error:  # noqa: BLE001 (one run's fault costs no other)
         return failed(task, f"{type(error).__name__}: {error}", time.perf_counter() - start)
-    seconds = time.perf_counter() - start
-    if not np.isfinite(result.cost):
-        return failed(task, f"the best cost is {result.cost}", seconds)
+    if reason:
+        return failed(task, reason, seconds)
     return Record(
         task=task,
-        cost=result.cost,
+        cost=float(result.cost),
         x=result.x,
         history=result.history,
         evaluations=result.evaluations,

@@ -54,6 +54,11 @@ class Guessing:
 
     width: float = 1.0
 
+    @property
+    def leaves_box(self) -> bool:
+        """Whether it guesses outside the box."""
+        return self.width > 1.0
+
     def minimise(self, problem: Problem, **budget: Unpack[Budget]) -> Result:
         """Return the best of the guesses."""
         size = (budget["iterations"], budget["population"], len(problem.bounds))

@@ -42,7 +42,7 @@ def test_runs_differ_from_each_other() -> None:
     ("cost", "reason"),
     [
         (None, "ValueError: lost the way"),
-        (float("nan"), "the best cost is nan"),
+        (float("nan"), "the best cost is nan at x = [0.0, 0.0]"),
         (float("inf"), "the best cost is inf"),
         (float("-inf"), "the best cost is -inf"),
     ],

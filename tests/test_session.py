@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from repro.evidence import Evidence
+from repro.functions import FUNCTIONS
 from repro.measures import Statistic
 from repro.model import Paper
 from repro.optimisers import WOA
@@ -15,7 +16,6 @@ from repro.run import Record
 from repro.session import gather, run_missing
 from repro.store import Store
 from tests.small_papers import CLAIMS, EXPERIMENT, PAPER, Failing, Guessing, searching
-from tests.small_problems import small
 from tests.small_stores import content
 
 CELLS = {("search", "bowl", "guess"), ("search", "bowl", "wide")}
@@ -45,7 +45,7 @@ def tasks() -> list[Task]:
     compiled = replace(
         EXPERIMENT,
         name="compiled",
-        problems={"rosenbrock": small("rosenbrock")},
+        problems={"rosenbrock": FUNCTIONS["rosenbrock"].problem(3)},
         algorithms={"WOA": WOA()},
         runs=8,
     )

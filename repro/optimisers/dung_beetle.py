@@ -158,7 +158,7 @@ class DBO:
             _dbo,
             problem,
             parameters=(*ends, *constants),
-            spending=self._spending,
+            spending=self.spending,
             least=_LEAST_AS_CODED if self.groups == "as coded" else 5,
             **budget,
         )
@@ -168,6 +168,7 @@ class DBO:
             return 6 * population // 30, 12 * population // 30, 19 * population // 30
         return int(self.producers * population + 0.5), 12, 19
 
-    def _spending(self, population: int) -> Spending:
+    def spending(self, population: int) -> Spending:
+        """Return the evaluations before the loop and in each iteration."""
         rollers, broods, _ = self._group_ends(population)
         return Spending(start=population, each=population + max(rollers - broods, 0))

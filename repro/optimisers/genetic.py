@@ -106,10 +106,11 @@ class GA:
             _ga,
             problem,
             parameters=(self.crossover, self.mutation, self.elites),
-            spending=self._spending,
+            spending=self.spending,
             least=max(2, self.elites + 1),
             **budget,
         )
 
-    def _spending(self, population: int) -> Spending:
+    def spending(self, population: int) -> Spending:
+        """Return the evaluations before the loop and in each iteration."""
         return Spending(start=population, each=population - self.elites)

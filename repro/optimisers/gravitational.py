@@ -73,14 +73,24 @@ def _hold(x, bounds, clips, state):
 
 @jit
 def _masses(costs):
-    """Return masses that add up to 1: none for the worst agent, equal ones if all are equal."""
-    best, worst = costs.min(), costs.max()
+    """Return masses that add up to 1: none for the worst agent, equal ones if all are equal.
+
+    An agent whose cost is not finite has no mass; GSA.m knows no such cost.
+    """
+    best, worst = np.inf, -np.inf
+    for value in costs:
+        if math.isfinite(value):
+            best, worst = min(best, value), max(worst, value)
     M = np.ones_like(costs)
     total = 0.0
     for i in range(len(costs)):
-        if best != worst:
+        if not math.isfinite(costs[i]):
+            M[i] = 0.0
+        elif best != worst:
             M[i] = (costs[i] - worst) / (best - worst)
         total += M[i]
+    if total == 0.0:
+        return M
     return M / total
 
 

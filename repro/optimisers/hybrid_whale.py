@@ -239,7 +239,7 @@ class HybridWOA:
             _hybrid,
             problem,
             parameters=self._parameters(budget["population"]),
-            spending=self._spending,
+            spending=self.spending,
             least=_LEAST,
             **budget,
         )
@@ -247,7 +247,8 @@ class HybridWOA:
     def _counts(self, population: int) -> tuple[int, int]:
         return int(self.differential * population + 0.5), int(self.genetic * population + 0.5)
 
-    def _spending(self, population: int) -> Spending:
+    def spending(self, population: int) -> Spending:
+        """Return the evaluations before the loop and in each iteration."""
         return Spending(each=population + sum(self._counts(population)) + (self.disturbance > 0))
 
     def _parameters(self, population: int) -> tuple[float, ...]:

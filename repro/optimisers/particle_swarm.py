@@ -71,6 +71,11 @@ class PSO:
         """Raise InputError for an unknown word."""
         check_choices(self)
 
+    @property
+    def leaves_box(self) -> bool:
+        """Whether the best point may lie outside the box, as in the published program."""
+        return self.clip == "last particle"
+
     def minimise(self, problem: Problem, **budget: Unpack[Budget]) -> Result:
         """Return the best point found by N·T evaluations; see `Optimiser`.
 
