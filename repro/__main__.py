@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import papers
-from repro.errors import InputError, ReproError, Terminated
+from repro.errors import InputError, ReproError, StoreError, Terminated
 from repro.model import Paper
 
 if TYPE_CHECKING:
@@ -66,9 +66,21 @@ def _parser() -> argparse.ArgumentParser:
     audit = _command(commands, _audit, "audit", "what the printed tables say about themselves")
     certificates = _command(commands, _certify, "certify", "proved minima of the motion problems")
     references = _command(commands, _references, "references", "what other planners say of them")
-    for command in (listing, audit, certificates, references):
+    again = _command(
+        commands, _verify, "verify", "re-run a random sample of the stored runs and compare"
+    )
+    for command in (listing, audit, certificates, references, again):
         command.add_argument("--json", action="store_true", help="print JSON")
+    _add_sample(again)
     return parser
+
+
+def _add_sample(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("folder", nargs="?", type=Path, metavar="STORE", help="default: .repro")
+    parser.add_argument("--store", type=Path, default=Path(".repro"), metavar="DIR")
+    parser.add_argument("--sample", type=int, default=20, metavar="N", help="runs (default: 20)")
+    parser.add_argument("--seed", default="1", metavar="TEXT", help="what names the sample")
+    parser.add_argument("--repeats", type=int, default=DEFAULT_REPEATS, help=argparse.SUPPRESS)
 
 
 def _command(
@@ -78,7 +90,8 @@ def _command(
     text: str,
 ) -> argparse.ArgumentParser:
     parser = commands.add_parser(name, help=text, description=text)
-    parser.add_argument("keys", nargs="*", metavar="KEY", help="papers (default: all)")
+    if run is not _verify:  # takes the folder of a store
+        parser.add_argument("keys", nargs="*", metavar="KEY", help="papers (default: all)")
     parser.set_defaults(command=run)
     return parser
 
@@ -161,6 +174,27 @@ def _report(options: argparse.Namespace) -> int:
         write_report(store, chosen, tasks, options.reports, all_papers().values())
     sys.stdout.write(f"pages: {options.reports / 'index.html'}\n")
     return 0
+
+
+def _verify(options: argparse.Namespace) -> int:
+    from repro.plan import plan  # noqa: PLC0415 (slow imports late)
+    from repro.provenance import provenance  # noqa: PLC0415
+    from repro.verify import Outcome, verify  # noqa: PLC0415
+
+    found = verify(
+        options.folder or options.store,
+        plan(all_papers().values(), options.repeats),
+        sample=options.sample,
+        seed=options.seed,
+        here=provenance(),
+    )
+    sys.stdout.write(
+        json.dumps(found.as_json(), indent=2) + "\n" if options.json else found.as_text()
+    )
+    if found.damaged:
+        message = f"{len(found.damaged)} rows are damaged; `repro reproduce` sets them aside"
+        raise StoreError(message)
+    return SOME_RUN_FAILED if found.count(Outcome.MISMATCH) else 0
 
 
 def _list(options: argparse.Namespace) -> int:

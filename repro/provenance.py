@@ -9,6 +9,8 @@ from pathlib import Path
 
 from repro.seeds import RULE
 
+DECISIVE = ("packages", "libc", "vector_instructions", "system", "seed_rule")
+"""What decides the last bits of a run, by its name in the provenance."""
 PACKAGES = ("numpy", "numba", "llvmlite", "scipy", "matplotlib", "jinja2")
 
 
