@@ -118,6 +118,7 @@ def _reproduce(options: argparse.Namespace) -> int:
     from repro.executors import checked_workers  # noqa: PLC0415 (slow imports late)
     from repro.interrupts import terminable  # noqa: PLC0415
     from repro.plan import plan  # noqa: PLC0415
+    from repro.report import unchanged  # noqa: PLC0415
     from repro.report.files import usable_folder  # noqa: PLC0415
     from repro.session import mended  # noqa: PLC0415
     from repro.store import Store  # noqa: PLC0415
@@ -126,19 +127,30 @@ def _reproduce(options: argparse.Namespace) -> int:
     tasks = plan(chosen, options.repeats)
     checked_workers(options.workers)
     usable_folder(options.reports)
+    written = unchanged.Written(
+        tasks=tasks, chosen=[paper.key for paper in chosen], known=list(all_papers()),
+        declarations=list(papers.__path__), reports=options.reports,
+    )  # fmt: skip
 
     def work() -> "list[Record]":
+        if written.stand(store):
+            return []
         failed = _run(store, tasks, options)
         pages = importlib.import_module(PAGES)
         pages.write_report(store, chosen, tasks, options.reports, all_papers().values())
+        written.remember(store)
         return failed
 
     with terminable(), Store(options.store, say=_warn) as store:
         failed = mended(store, work)
     for record in failed:
         _warn(f"run {record.task.name} failed: {record.reason}")
+    return _written(options, SOME_RUN_FAILED if failed else 0)
+
+
+def _written(options: argparse.Namespace, code: int = 0) -> int:
     sys.stdout.write(f"pages: {options.reports / 'index.html'}\n")
-    return SOME_RUN_FAILED if failed else 0
+    return code
 
 
 def _run(store: "Store", tasks: Sequence["Task"], options: argparse.Namespace) -> list["Record"]:
@@ -172,8 +184,7 @@ def _report(options: argparse.Namespace) -> int:
     tasks = plan(chosen, options.repeats)
     with Store(options.store, writing=False) as store:
         write_report(store, chosen, tasks, options.reports, all_papers().values())
-    sys.stdout.write(f"pages: {options.reports / 'index.html'}\n")
-    return 0
+    return _written(options)
 
 
 def _verify(options: argparse.Namespace) -> int:

@@ -1,0 +1,97 @@
+"""Whether the pages stand as they were written, so that a call with nothing to do writes nothing.
+
+Pages follow from the declared papers, the stored runs, the source and templates, the installed
+packages, the machine, and what the reports folder held before. A digest of all of them is kept
+beside the runs when the pages are written; while it is the same, writing again gives the same
+bytes. Whatever it does not know of counts as a change: without a digest pages are written.
+"""
+
+import hashlib
+import importlib.metadata
+import sys
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import repro
+from repro.plan import Task
+from repro.provenance import provenance
+from repro.report.files import write_file
+from repro.store import Store
+
+_NAME = "pages"
+_OF_THE_DAY = ("date", "commit")  # what the provenance of a call says besides its machine
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Written:
+    """What pages are of, and where: tasks, chosen and known papers, the reports folder.
+
+    `declarations` are the folders with the papers' modules.
+    """
+
+    tasks: Sequence[Task]
+    chosen: Sequence[str]
+    known: Sequence[str]
+    declarations: Sequence[str]
+    reports: Path
+
+    def stand(self, store: Store) -> bool:
+        """Return whether no run is missing and writing the pages would change no byte.
+
+        Raises StoreError for a damaged run.
+        """
+        try:
+            kept = (store.folder / _NAME).read_text(encoding="utf-8")
+        except (OSError, ValueError):
+            return False
+        return not store.missing(self.tasks) and kept == self._digests(store)
+
+    def remember(self, store: Store) -> None:
+        """Keep digests of the pages just written and of what they follow from."""
+        write_file(store.folder / _NAME, self._digests(store))
+
+    def _digests(self, store: Store) -> str:
+        """Return the place of the reports, a digest of what they follow from, and one of them."""
+        digest = hashlib.sha256()
+        for part in (self.chosen, self.known, *_installed(), *_machine()):
+            digest.update(f"{part}\0".encode())
+        for folder in (*repro.__path__, *self.declarations):
+            digest.update(_tree(Path(folder)))
+        for task in self.tasks:
+            digest.update(task.key.encode())
+        digest.update(_runs(store, self.tasks))
+        return f"{self.reports.resolve()}\n{digest.hexdigest()}\n{_tree(self.reports).hex()}\n"
+
+
+def _runs(store: Store, tasks: Sequence[Task]) -> bytes:
+    digest = hashlib.sha256(repr(store.environments(tasks)).encode())
+    for record in store.records(tasks):
+        told = (record.task.key, record.cost, record.evaluations, record.seconds, record.reason)
+        digest.update(repr(told).encode())
+        digest.update(record.x.tobytes())
+        digest.update(record.history.tobytes())
+    return digest.digest()
+
+
+def _tree(folder: Path) -> bytes:
+    """Return a digest of the names and the bytes of all files in a folder but compiled ones."""
+    digest = hashlib.sha256()
+    for path in sorted(folder.rglob("*")):
+        if path.is_file() and "__pycache__" not in path.parts:
+            content = path.read_bytes()
+            digest.update(f"{path.relative_to(folder)}\0{len(content)}\0".encode())
+            digest.update(content)
+    return digest.digest()
+
+
+def _installed() -> Iterator[str]:
+    yield sys.version
+    for distribution in importlib.metadata.distributions():
+        yield f"{distribution.name} {distribution.version}"
+
+
+def _machine() -> Iterator[str]:
+    for name, value in provenance().items():
+        if name not in _OF_THE_DAY:
+            yield f"{name} {value}"
