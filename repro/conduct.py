@@ -27,6 +27,14 @@ class Given:
         """Return the problem with copies of its bounds and data."""
         return cls(problem=problem, bounds=np.array(problem.bounds), data=np.array(problem.data))
 
+    def inputs(self) -> tuple[bytes, bytes]:
+        """Return the bytes of bounds and data, but for data that the cost works in.
+
+        A problem whose cost keeps numbers at the end of its data says how many as `scratch`.
+        """
+        kept = len(self.data) - int(getattr(self.problem, "scratch", 0))
+        return self.bounds.tobytes(), self.data[:kept].tobytes()
+
     def __getattr__(self, name: str) -> Any:  # noqa: ANN401 (whatever the problem has besides)
         """Return anything else as the problem has it."""
         return getattr(self.problem, name)
@@ -51,7 +59,7 @@ def fault(
 ) -> str | None:
     """Return what is wrong with a search or its result, None where nothing is.
 
-    `before` are the bytes of bounds and data as they were given. An optimiser whose source lets
+    `before` are the inputs as they were given. An optimiser whose source lets
     points leave the box says so by an attribute `leaves_box`; one that spends more than N·(T + 1)
     evaluations by a method `spending`.
     """
@@ -69,7 +77,7 @@ def _faults(
     iterations: int | None,
     most: int,
 ) -> Iterator[str]:
-    if (given.bounds.tobytes(), given.data.tobytes()) != before:
+    if given.inputs() != before:
         yield "the search, or the cost, changed the bounds or data that it was given"
     if not np.isfinite(result.cost):
         where = f" at {_shown(result.x)}" if np.isnan(result.cost) else ""

@@ -12,12 +12,14 @@ import pytest
 from repro import optimisers
 from repro.compiled import jit
 from repro.conduct import Given
+from repro.dispatch import run_all
 from repro.functions import FUNCTIONS
+from repro.functions.shifted import ShiftedProblem
 from repro.optimisers import DBO, DE, GA, GSA, WOA, SteadyStateGA
 from repro.optimisers.gravitational import _masses
 from repro.optimisers.search import Budget, Problem, Result, Spending
 from repro.plan import plan
-from repro.run import Record, execute, run_all
+from repro.run import Record, execute
 from tests.small_papers import EXPERIMENT, PAPER, Bowl, Guessing, Vector, searching
 from tests.small_problems import small
 from tests.test_run import same
@@ -222,3 +224,14 @@ def test_bounds_and_data_of_one_run_are_its_own() -> None:
     assert problem.data[0] == 0.0
     assert given.identity == problem.identity
     assert given.cost(np.ones(3)) == problem.cost([1.0, 1.0, 1.0])
+
+
+def test_cost_may_write_where_its_problem_says_so() -> None:
+    shifted = ShiftedProblem(problem=FUNCTIONS["sphere"].problem(3), share=0.2)
+    task = replace(plan([PAPER], 1)[0], optimiser=WOA(), subject=shifted)
+
+    assert execute(task).reason is None
+    given = Given.of(shifted)
+    before = given.inputs()
+    given.data[0] += 1.0
+    assert given.inputs() != before

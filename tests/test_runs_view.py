@@ -26,7 +26,8 @@ def test_a_paper_without_runs_shows_none(paper: Paper, *, shiftable: bool) -> No
 
     assert (view.comparisons, view.centre_biases) == ((), ())
     assert view.shiftable == shiftable
-    assert view.tables() == view.files("doe2021") == {}
+    assert not view.tables()
+    assert not view.files("doe2021")
 
 
 def test_templates_get_everything_by_name() -> None:

@@ -76,6 +76,11 @@ class ShiftedProblem:
         return np.concatenate([self.shift, np.zeros(self.problem.dimension)])
 
     @property
+    def scratch(self) -> int:
+        """Numbers at the end of the data that the cost works in."""
+        return self.problem.dimension
+
+    @property
     def identity(self) -> tuple[object, ...]:
         """What the cost depends on besides source code."""
         return (*self.problem.identity, self.share)
