@@ -20,7 +20,7 @@ LOCKS = {
     "test": ["test"],
     "lint": ["lint"],
     "types": ["types"],
-    "cluster": ["cluster"],
+    "cluster": ["cluster", "test"],
     "references": ["references", "test"],
 }
 
@@ -56,7 +56,10 @@ def report(session: nox.Session) -> None:
 def tests(session: nox.Session) -> None:
     """Run the tests, a full-size re-run of the papers' protocols and browser checks among them."""
     _install(session, "test")
-    session.run("pytest", *session.posargs, env={**ONE_THREAD, "REPRO_BROWSER": _browser(session)})
+    session.run(
+        *("pytest", "-m", "not cluster", *session.posargs),
+        env={**ONE_THREAD, "REPRO_BROWSER": _browser(session)},
+    )
 
 
 @nox.session
@@ -64,7 +67,15 @@ def fuzz(session: nox.Session) -> None:
     """Run the property-based tests with many more examples."""
     _install(session, "test")
     environment = {**ONE_THREAD, "HYPOTHESIS_PROFILE": "fuzz"}
-    session.run("pytest", "-m", "not browser and not full_size", *session.posargs, env=environment)
+    session.run("pytest", "-m", "not browser and not full_size and not cluster", *session.posargs, env=environment)
+
+
+@nox.session
+def cluster(session: nox.Session) -> None:
+    """Run every paper's protocol on a Dask cluster that loses workers and its scheduler."""
+    _install(session, "cluster")
+    environment = {**ONE_THREAD, "REPRO_CLUSTER": "whole"}
+    session.run("pytest", "tests/test_real_cluster.py", *session.posargs, env=environment)
 
 
 @nox.session

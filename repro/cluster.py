@@ -38,7 +38,8 @@ def cluster(address: str) -> Iterator[tuple[Executor, Callable[[], int]]]:
     except (OSError, ValueError) as error:
         message = f"no Dask scheduler answers at {address!r}: {error}"
         raise InputError(message) from None
-    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # a lost cluster is one line
+    for name in ("distributed", "distributed.client"):
+        logging.getLogger(name).setLevel(logging.CRITICAL + 1)  # a lost cluster is one line
     try:
         yield ClusterExecutor(client.get_executor(pure=False), address), _Threads(client)
     except (CancelledError, OSError) as error:
@@ -141,6 +142,6 @@ def _sources(tasks: tuple[Task, ...]) -> list[str]:
 
 
 def _lost(address: str, error: BaseException) -> ClusterLostError:
-    why = str(error) or type(error).__name__
+    why = type(error).__name__
     message = f"the cluster at {address!r} was lost ({why}); run the same command again"
     return ClusterLostError(message)

@@ -15,6 +15,13 @@ from tests.small_papers import Guessing, searching
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Held(Guessing):
+    """Random search that says that it holds the interpreter."""
+
+    holds_interpreter: ClassVar[bool] = True
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Telling(Guessing):
     """A search whose evaluations are the number of the process that it ran in."""
 

@@ -129,7 +129,7 @@ def test_worker_without_the_package_is_refused(monkeypatch: pytest.MonkeyPatch) 
 def test_scheduler_that_takes_no_more_tasks_is_lost() -> None:
     with cluster("tcp://here:1") as (executor, _):
         Client.executors[-1].shutdown()
-        with pytest.raises(ClusterLostError, match="shutdown"):
+        with pytest.raises(ClusterLostError, match="RuntimeError"):
             executor.submit(execute_all, TASKS)
 
 

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.small_papers import MODULE
+from tests.small_papers import ENDLESS, MODULE
 
 ROOT = Path(__file__).parent.parent
 PROGRAM = """
@@ -25,11 +25,16 @@ PROGRAM = """
 @pytest.fixture
 def slow(tmp_path: Path) -> tuple[str, ...]:
     """Return the command that knows one more paper, of 40 runs, half of them slow."""
-    (tmp_path / "papers").mkdir()
-    (tmp_path / "papers" / "slow2021.py").write_text(MODULE, encoding="utf-8")
-    places = ("--store", str(tmp_path / "store"), "--reports", str(tmp_path / "reports"))
-    program = (sys.executable, "-c", textwrap.dedent(PROGRAM), str(tmp_path / "papers"))
-    return (*program, "reproduce", "slow2021", "--repeats", "1", "--workers", "1", *places)
+    return (*command(tmp_path, "slow2021", MODULE), "--workers", "1")
+
+
+def command(folder: Path, key: str, module: str) -> tuple[str, ...]:
+    """Return the command that knows a paper more and makes its runs in a folder."""
+    (folder / "papers").mkdir()
+    (folder / "papers" / f"{key}.py").write_text(module, encoding="utf-8")
+    places = ("--store", str(folder / "store"), "--reports", str(folder / "reports"))
+    program = (sys.executable, "-c", textwrap.dedent(PROGRAM), str(folder / "papers"))
+    return (*program, "reproduce", key, "--repeats", "1", *places)
 
 
 def runs_in(store: Path) -> int:
@@ -40,14 +45,16 @@ def runs_in(store: Path) -> int:
         return int(database.execute("select count(*) from run").fetchone()[0]) if tables else 0
 
 
-def stopped(command: tuple[str, ...], store: Path, by: signal.Signals) -> tuple[int, str]:
+def stopped(
+    command: tuple[str, ...], store: Path, by: signal.Signals, patience: float = 30
+) -> tuple[int, str]:
     """Stop a command when three of its runs are stored; return exit code and error output."""
     with subprocess.Popen(command, cwd=ROOT, stderr=subprocess.PIPE, text=True) as process:
         limit = time.monotonic() + 60
         while runs_in(store) < 3 and time.monotonic() < limit:
             time.sleep(0.02)
         process.send_signal(by)
-        _, err = process.communicate(timeout=30)
+        _, err = process.communicate(timeout=patience)
     return process.returncode, err
 
 
@@ -66,6 +73,22 @@ def test_interrupted_command_exits_with_130_and_a_later_call_goes_on(
     assert done.returncode == 0
     assert f"{40 - kept}/{40 - kept} runs (100 %)" in done.stderr
     assert (tmp_path / "reports" / "slow2021.html").exists()
+
+
+@pytest.mark.parametrize("by", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("search", ["compiled", "plain"])
+def test_interrupt_waits_for_no_long_run_and_keeps_every_short_one(
+    tmp_path: Path, by: signal.Signals, search: str
+) -> None:
+    endless = (*command(tmp_path, "endless2021", ENDLESS.format(search=search)), "--workers", "2")
+
+    code, err = stopped(endless, tmp_path / "store", by, patience=5)
+
+    assert code == 128 + by
+    assert err.endswith("repro: interrupted; finished runs are kept, the same call goes on\n")
+    assert "Traceback" not in err
+    assert "Fatal" not in err
+    assert runs_in(tmp_path / "store") == 3
 
 
 def test_killed_command_loses_no_stored_run_and_leaves_the_store_unlocked(

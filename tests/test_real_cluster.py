@@ -1,0 +1,215 @@
+"""A real Dask scheduler and worker processes on loopback; `nox -s cluster` runs all of it."""
+
+import os
+import socket
+import sqlite3
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import closing
+from pathlib import Path
+
+import pytest
+
+from repro.__main__ import all_papers
+from repro.cluster import BATCH_SECONDS, cluster
+from repro.errors import ClusterLostError, InputError
+from repro.executors import local
+from repro.plan import Task, plan
+from repro.provenance import provenance
+from repro.session import run_missing
+from repro.store import Store
+from tests.held_searches import Held, Telling, deadly, many, tasks_of
+
+pytest.importorskip("distributed", reason="the extra `cluster` is not installed")
+
+ROOT = Path(__file__).parent.parent
+WHOLE = os.environ.get("REPRO_CLUSTER") == "whole"
+WORKERS = 4
+SAME = "key, paper, experiment, problem, algorithm, repeat, run, cost, x, evaluations, reason, y"
+"""Columns that say what a run gave; how long it took is another matter."""
+
+Report = Callable[[int, int], None]
+
+
+class Dask:
+    """A scheduler and its workers, each a process that can be killed."""
+
+    def __init__(self, folder: Path) -> None:
+        """Choose a port that is free."""
+        self.folder = folder
+        with socket.socket() as free:
+            free.bind(("127.0.0.1", 0))
+            self.port = free.getsockname()[1]
+        self.address = f"tcp://127.0.0.1:{self.port}"
+        self.workers: list[subprocess.Popen[bytes]] = []
+
+    def start(self, workers: int) -> None:
+        """Start the scheduler and workers of one thread each."""
+        self.scheduler = self._start("dask_scheduler", "--port", str(self.port))
+        self.workers = [
+            self._start("dask_worker", self.address, "--nthreads", "1", "--no-nanny")
+            for _ in range(workers)
+        ]
+
+    def _start(self, program: str, *arguments: str) -> subprocess.Popen[bytes]:
+        options = (*arguments, "--host", "127.0.0.1", "--no-dashboard")
+        return subprocess.Popen(
+            (sys.executable, "-m", f"distributed.cli.{program}", *options),
+            cwd=self.folder,
+            env={**os.environ, "PYTHONPATH": str(ROOT), "OMP_NUM_THREADS": "1"},
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+        )
+
+    def stop(self) -> None:
+        """Kill whatever still runs."""
+        for process in (*self.workers, self.scheduler):
+            process.kill()
+            process.wait()
+
+
+@pytest.fixture
+def dask(tmp_path: Path) -> Iterator[Dask]:
+    """Return a cluster that is started by the test and killed after it."""
+    dask = Dask(tmp_path)
+    yield dask
+    dask.stop()
+
+
+def run(store: Path, tasks: tuple[Task, ...], dask: Dask | None, report: Report) -> int:
+    """Run what a store lacks on a cluster, or here, and return the number of failed runs."""
+    with Store(store) as opened:
+        if dask is None:
+            with local(2) as executor:
+                failed = run_missing(
+                    opened,
+                    tasks,
+                    executor=executor,
+                    workers=2,
+                    environment=provenance,
+                    report=report,
+                )
+        else:
+            with cluster(dask.address) as (executor, threads):
+                failed = run_missing(
+                    opened,
+                    tasks,
+                    executor=executor,
+                    workers=threads,
+                    environment=provenance,
+                    report=report,
+                    batch_seconds=BATCH_SECONDS if WHOLE else 0.1,
+                )
+    return len(failed)
+
+
+def rows(store: Path) -> list[tuple[object, ...]]:
+    """Return what the runs of a store gave."""
+    query = f"select {SAME}, json from run join curve using (id) join env on env.id = run.env"  # noqa: S608
+    with closing(sqlite3.connect(store / "runs.sqlite")) as database:
+        return sorted(database.execute(query))
+
+
+def quiet(_done: int, _total: int) -> None:
+    """Say nothing."""
+
+
+def protocol() -> tuple[Task, ...]:
+    """Return every run of all papers, or a part of two of them, and runs that hold Python."""
+    papers = all_papers()
+    if WHOLE:
+        return (*plan(papers.values(), 1), *plan([many(Held(), 30)], 1))
+    part = plan([papers["smwoa2022"]], 1)[::5]
+    return (*part, *tasks_of(guess=Held()))
+
+
+def test_cluster_that_loses_workers_and_its_scheduler_gives_the_rows_of_this_machine(
+    dask: Dask, tmp_path: Path
+) -> None:
+    tasks = protocol()
+    dask.start(WORKERS)
+
+    def lose(done: int, total: int) -> None:
+        alive = [worker for worker in dask.workers if worker.poll() is None]
+        if len(alive) > WORKERS - 2 and done > total * (WORKERS + 1 - len(alive)) // 10:
+            alive[0].kill()
+        if done > total // 2:
+            dask.scheduler.kill()
+
+    with pytest.raises(ClusterLostError, match="run the same command again") as lost:
+        run(tmp_path / "far", tasks, dask, lose)
+    kept = len(rows(tmp_path / "far"))
+    killed = sum(worker.poll() is not None for worker in dask.workers)
+    dask.stop()
+    dask.start(2)
+    states: list[int] = []
+    failed = run(tmp_path / "far", tasks, dask, lambda done, _total: states.append(done))
+    run(tmp_path / "near", tasks, None, quiet)
+
+    assert lost.value.exit_code == 75
+    assert killed >= 2
+    assert len(tasks) // 2 < kept < len(tasks)
+    assert states[-1] == len(tasks) - kept
+    assert failed == 0
+    assert rows(tmp_path / "far") == rows(tmp_path / "near")
+    assert len(rows(tmp_path / "far")) == len(tasks)
+
+
+def test_task_that_kills_its_workers_is_named_and_the_others_finish(
+    dask: Dask, tmp_path: Path
+) -> None:
+    (tmp_path / "lives").mkdir()
+    tasks = (
+        *tasks_of(deadly=deadly(tmp_path / "lives", 4))[:1],
+        *tasks_of(telling=Telling()),
+    )
+    dask.start(6)
+
+    failed = run(tmp_path / "store", tasks, dask, quiet)
+
+    assert failed == 1
+    with Store(tmp_path / "store") as store:
+        reasons = {record.task.name: record.reason for record in store.records(tasks)}
+    assert "KilledWorker" in str(reasons.pop(tasks[0].name))
+    assert list(reasons.values()) == [None] * 3
+
+
+def test_cluster_without_the_papers_is_refused_in_one_line(dask: Dask, tmp_path: Path) -> None:
+    dask.start(1)
+    (tmp_path / "only_here.py").write_text(
+        "from tests.small_papers import Guessing\nclass Here(Guessing): pass\n"
+    )
+    with pytest.MonkeyPatch.context() as patch:
+        patch.syspath_prepend(tmp_path)
+        import only_here  # type: ignore[import-not-found]  # noqa: PLC0415
+
+    with pytest.raises(InputError, match="has another engine: No module named 'only_here'"):
+        run(tmp_path / "store", tasks_of(here=only_here.Here()), dask, quiet)
+
+
+@pytest.mark.cluster
+def test_cluster_costs_less_than_a_twentieth_of_the_runs(
+    dask: Dask, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    tasks = plan([all_papers()["smwoa2022"]], 1)
+    dask.start(2)
+    marks: list[tuple[float, int]] = []
+
+    run(
+        tmp_path / "store",
+        tasks,
+        dask,
+        lambda done, _total: marks.append((time.perf_counter(), done)),
+    )
+
+    with closing(sqlite3.connect(tmp_path / "store" / "runs.sqlite")) as database:
+        seconds = [row[0] for row in database.execute("select seconds from run order by id")]
+    # from the first records to the last, when both workers are busy
+    first, last = marks[len(marks) // 10], marks[-len(marks) // 10]
+    busy = sum(seconds[first[1] : last[1]])
+    overhead = 2 * (last[0] - first[0]) / busy - 1.0
+    with capsys.disabled():
+        sys.stdout.write(f"\noverhead of the cluster: {100 * overhead:.1f} % of compute\n")
+    assert overhead < 0.05
