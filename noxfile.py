@@ -67,7 +67,8 @@ def fuzz(session: nox.Session) -> None:
     """Run the property-based tests with many more examples."""
     _install(session, "test")
     environment = {**ONE_THREAD, "HYPOTHESIS_PROFILE": "fuzz"}
-    session.run("pytest", "-m", "not browser and not full_size and not cluster", *session.posargs, env=environment)
+    kinds = "not browser and not full_size and not cluster"
+    session.run("pytest", "-m", kinds, *session.posargs, env=environment)
 
 
 @nox.session
@@ -114,6 +115,13 @@ def bundle(session: nox.Session) -> None:
     session.chdir("repro/report/arm")
     session.run("npm", "ci", "--ignore-scripts", external=True)
     session.run("npm", "run", "build", external=True)
+
+
+@nox.session
+def scale(session: nox.Session) -> None:
+    """Measure what planning, storing and judging cost at 10^4, 10^5 and 10^6 made-up records."""
+    _install(session, "test")
+    session.run("python", "benchmarks/scale.py", *session.posargs, env={"PYTHONPATH": "."})
 
 
 @nox.session

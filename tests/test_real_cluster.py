@@ -178,11 +178,13 @@ def test_task_that_kills_its_workers_is_named_and_the_others_finish(
 
 def test_cluster_without_the_papers_is_refused_in_one_line(dask: Dask, tmp_path: Path) -> None:
     dask.start(1)
-    (tmp_path / "only_here.py").write_text(
+    here = tmp_path / "here"  # not where the workers are started
+    here.mkdir()
+    (here / "only_here.py").write_text(
         "from tests.small_papers import Guessing\nclass Here(Guessing): pass\n"
     )
     with pytest.MonkeyPatch.context() as patch:
-        patch.syspath_prepend(tmp_path)
+        patch.syspath_prepend(here)
         import only_here  # type: ignore[import-not-found]  # noqa: PLC0415
 
     with pytest.raises(InputError, match="has another engine: No module named 'only_here'"):
