@@ -120,6 +120,22 @@ class Reading:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Formula:
+    """An equation of the paper that the re-run follows.
+
+    `latex` is its text, `code` the module or object that computes it; `departs` says where the
+    re-run does something else than what is printed.
+    """
+
+    label: str
+    where: str
+    latex: str
+    says: str
+    code: str
+    departs: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Paper:
     """One source paper: everything that is printed, open, wrong or missing, as data.
 
@@ -140,6 +156,7 @@ class Paper:
     assumptions: tuple[Assumption, ...]
     errata: tuple[Erratum, ...]
     gaps: tuple[Gap, ...]
+    formulas: tuple[Formula, ...] = ()
     figures: tuple["Figure", ...] = ()
     relations: tuple["Relation", ...] = ()
     readings: tuple[Reading, ...] = ()

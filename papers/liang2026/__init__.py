@@ -4,6 +4,7 @@ from dataclasses import replace
 from functools import partial
 
 from papers.liang2026.experiments import BENCHMARK, DH, FANUC, IWOA, MOTION
+from papers.liang2026.formulas import FORMULAS
 from papers.liang2026.misprints import ERRATA, PHYSICAL_ARM, ROBOGUIDE, TOOL_ERROR
 from papers.liang2026.open_points import ASSUMPTIONS, TOGETHER
 from papers.liang2026.printed import (
@@ -199,6 +200,7 @@ PAPER = Paper(
     assumptions=ASSUMPTIONS,
     errata=ERRATA,
     gaps=(ROBOGUIDE, PHYSICAL_ARM, TOOL_ERROR),
+    formulas=FORMULAS,
     figures=(
         Convergence(
             label="Fig. 2",

@@ -1,5 +1,6 @@
 """Mousa et al.: polynomials, WOA and GA for point-to-point motion of a KUKA KR4 R600."""
 
+from papers.mousa2023.formulas import FORMULAS
 from papers.mousa2023.misprints import ERRATA, GAPS
 from papers.mousa2023.open_points import ASSUMPTIONS, TOGETHER
 from papers.mousa2023.polynomial_claims import POLYNOMIAL_CLAIMS
@@ -38,6 +39,7 @@ PAPER = Paper(
     errata=ERRATA,
     gaps=GAPS,
     together=TOGETHER,
+    formulas=FORMULAS,
     figures=(
         JointCurves(
             label="Fig. 2",

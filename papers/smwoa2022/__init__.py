@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 from papers.smwoa2022.experiments import BENCHMARK, SMWOA, TRAJECTORY, UR5
+from papers.smwoa2022.formulas import FORMULAS
 from papers.smwoa2022.misprints import ERRATA, GAPS
 from papers.smwoa2022.open_points import ASSUMPTIONS, TOGETHER
 from papers.smwoa2022.printed import TABLE_2, TABLE_3, TABLE_4, TABLE_5, TABLE_6
@@ -56,6 +57,7 @@ PAPER = Paper(
             problem=replace(UR5, ends="still", time_ends="natural"),
         ),
     ),
+    formulas=FORMULAS,
     figures=(
         SplineMotion(
             label="Fig. 3",

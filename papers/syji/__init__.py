@@ -1,5 +1,6 @@
 """SYJI-0035 arm: seventh-order polynomials in four segments, timed by whale optimisation."""
 
+from papers.syji.formulas import FORMULAS
 from papers.syji.misprints import ERRATA, SERVO
 from papers.syji.motions import FOUND, ORDERS, PRINTED, RESTING, SEVENTH
 from papers.syji.open_points import ASSUMPTIONS, TOGETHER
@@ -64,6 +65,7 @@ PAPER = Paper(
             problem=SEVENTH,
         ),
     ),
+    formulas=FORMULAS,
     figures=(
         *(
             Motion(

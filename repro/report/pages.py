@@ -18,6 +18,7 @@ from repro.readings import fingerprints, reached, varied_evidence
 from repro.report.arm_viewer import viewer
 from repro.report.drawing import Drawing, draw
 from repro.report.files import csv_text, usable_folder, write_file
+from repro.report.formulas import dollars, mathml, powers_of_ten
 from repro.report.readings_view import readings_view
 from repro.report.results import (
     Json,
@@ -29,7 +30,7 @@ from repro.report.results import (
 )
 from repro.report.runs_view import runs_view
 from repro.report.view import marks_by_cell, shown, table_view
-from repro.report.words import MEANINGS, SYMBOLS, anchor, number, raised
+from repro.report.words import MEANINGS, SYMBOLS, anchor, number
 from repro.session import gather
 from repro.store import Store
 from repro.studies import studies
@@ -135,7 +136,9 @@ def _render(name: str, context: Mapping[str, object]) -> str:
     )
     environment.filters |= {
         "number": number,
-        "raised": raised,
+        "raised": powers_of_ten,
+        "mathml": mathml,
+        "dollars": dollars,
         "anchor": anchor,
         "markup": Markup,  # for the SVG that we draw ourselves
         "time_cells": _time_cells,
