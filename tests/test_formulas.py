@@ -12,7 +12,7 @@ from repro.__main__ import all_papers
 from repro.errors import DeclarationError
 from repro.model import Formula, Paper
 from repro.plan import plan
-from repro.report.formulas import dollars, mathml, powers
+from repro.report.formulas import dollars, equation_links, mathml, powers
 from repro.report.pages import write_report
 from repro.store import Store
 from tests.doe2021 import PAPER
@@ -136,6 +136,18 @@ def test_text_around_a_power_is_escaped() -> None:
     assert powers("<b> 4").endswith("&lt;b&gt; 4")
 
 
+def test_the_place_of_an_open_point_leads_to_its_equation() -> None:
+    several = replace(SQUARE, label="Eqs. (3) to (5), (8) and (9)")
+    formulas = (SQUARE, several)
+    several_id = "equation-eqs-3-to-5-8-and-9"
+    assert equation_links("Eq. (1)", formulas) == 'Eq. <a href="#equation-eq-1">(1)</a>'
+    assert equation_links("Eqs. (4)-(8)", formulas).count(f'<a href="#{several_id}">') == 2
+    assert equation_links("Eqs. (2), (6) and (10)", formulas) == "Eqs. (2), (6) and (10)"
+    assert equation_links("step (1)", formulas) == "step (1)"
+    assert equation_links("<b> Eq. (1)", formulas).startswith("&lt;b&gt; Eq. ")
+    assert equation_links("<b>", formulas) == "&lt;b&gt;"
+
+
 @each_formula
 def test_every_formula_of_a_paper_can_be_drawn_and_nothing_is_lost(formula: Formula) -> None:
     text = "".join(parsed(formula.latex).itertext())
@@ -163,7 +175,7 @@ def test_a_paper_has_some_formulas_under_labels_of_their_own(paper: Paper) -> No
 def test_pages_show_a_formula_with_its_place_its_code_and_its_meaning(tmp_path: Path) -> None:
     pages = pages_of(tmp_path, replace(PAPER, formulas=(SQUARE,)))
     html, markdown = pages["doe2021.html"], pages["doe2021.md"]
-    assert '<li id="eq-1">' in html
+    assert '<li id="equation-eq-1">' in html
     assert str(mathml(SQUARE.latex)) in html
     assert dollars(SQUARE.latex) in markdown
     for page in (html, markdown):

@@ -1,6 +1,7 @@
 """Mathematics on the pages: MathML for browsers, LaTeX between dollars for Markdown."""
 
 import re
+from collections.abc import Iterable
 from html import unescape
 from xml.etree.ElementTree import Element, tostring
 
@@ -10,7 +11,8 @@ from latex2mathml.converter import convert_to_element
 from markupsafe import Markup, escape
 
 from repro.errors import DeclarationError
-from repro.report.words import raised
+from repro.model import Formula
+from repro.report.words import anchor, raised
 
 _ELEMENTS = {
     *("math", "mrow", "mi", "mn", "mo", "mtext", "mspace", "mstyle", "mtable", "mtr", "mtd"),
@@ -26,6 +28,7 @@ _PARTS = {  # how many parts an element must have
     **dict.fromkeys(("msubsup", "munderover"), 3),
 }
 _PLAIN = re.compile(r"[\w.%+ -]*", re.ASCII)  # a value of an attribute that says only how to draw
+_NUMBER = re.compile(r"\((\d+)\)(?:(?: to |-)(?=\((\d+)\)))?")  # (7), or (7) to before (9)
 _POWER = re.compile(r"(?:(\d[\d.]*)×)?10\^(-?)(\d+)")
 # What Markdown would take for its own, or for HTML, in words of LaTeX.
 _IN_WORDS = {
@@ -91,6 +94,31 @@ def dollars(latex: str) -> str:
         raise DeclarationError(message)
     text = _FOREIGN.sub(lambda match: _IN_WORDS[match[0]], " ".join(latex.split()))
     return f"${' '.join(text.split())}$"
+
+
+def formula_anchor(formula: Formula) -> str:
+    """Return the identifier of a formula on its page."""
+    return anchor("equation", formula.label)
+
+
+def equation_links(text: str, formulas: Iterable[Formula]) -> Markup:
+    """Return text, safe for HTML, whose numbers of equations lead to the formulas shown."""
+    if not re.search(r"\bEqs?\. ", text):
+        return escape(text)
+    places = {number: formula_anchor(f) for f in formulas for number in _numbers(f.label)}
+
+    def linked(match: re.Match[str]) -> str:
+        place = places.get(int(match[1]))
+        return f'<a href="#{place}">({match[1]})</a>' if place else match[0]
+
+    return Markup(re.sub(r"\((\d+)\)", linked, str(escape(text))))  # noqa: S704 (escaped)
+
+
+def _numbers(label: str) -> Iterable[int]:
+    """Yield the numbers that a label names, those between the ends of a range among them."""
+    for match in _NUMBER.finditer(label):
+        first = int(match[1])
+        yield from range(first, int(match[2] or first) + 1)
 
 
 def powers(text: object) -> Markup:

@@ -18,7 +18,7 @@ from repro.readings import fingerprints, reached, varied_evidence
 from repro.report.arm_viewer import viewer
 from repro.report.drawing import Drawing, draw
 from repro.report.files import csv_text, usable_folder, write_file
-from repro.report.formulas import dollars, mathml, powers_of_ten
+from repro.report.formulas import dollars, equation_links, formula_anchor, mathml, powers_of_ten
 from repro.report.readings_view import readings_view
 from repro.report.results import (
     Json,
@@ -138,6 +138,8 @@ def _render(name: str, context: Mapping[str, object]) -> str:
         "number": number,
         "raised": powers_of_ten,
         "mathml": mathml,
+        "formula_anchor": formula_anchor,
+        "equation_links": equation_links,
         "dollars": dollars,
         "anchor": anchor,
         "markup": Markup,  # for the SVG that we draw ourselves
