@@ -16,7 +16,7 @@ def shown(of: Evidence) -> RunsView:
 def test_data_of_everything_shown_has_a_file_of_its_own() -> None:
     tables = shown(evidence()).tables()
 
-    assert {"centre-bias-test"} <= set(tables)
+    assert {"centre-bias-test", "runs-table-2"} <= set(tables)
     assert tables["centre-bias-test"][0][:2] == ("algorithm", "shift")
 
 
@@ -24,14 +24,19 @@ def test_data_of_everything_shown_has_a_file_of_its_own() -> None:
 def test_a_paper_without_runs_shows_none(paper: Paper, *, shiftable: bool) -> None:
     view = shown(Evidence(paper, {}))
 
-    assert (view.comparisons, view.centre_biases) == ((), ())
+    assert (view.comparisons, view.centre_biases, view.distributions) == ((), (), ())
     assert view.shiftable == shiftable
     assert not view.tables()
     assert not view.files("doe2021")
 
 
 def test_templates_get_everything_by_name() -> None:
-    assert set(shown(evidence()).context()) >= {"comparisons", "centre_biases", "shiftable"}
+    assert set(shown(evidence()).context()) >= {
+        "comparisons",
+        "centre_biases",
+        "distributions",
+        "shiftable",
+    }
 
 
 def test_files_are_named_by_paper_and_table() -> None:

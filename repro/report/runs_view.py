@@ -7,6 +7,7 @@ from repro.evidence import Evidence
 from repro.findings import Finding
 from repro.report.centre_bias_view import CentreBias, centre_biases
 from repro.report.comparison import Comparison, comparisons
+from repro.report.distribution import Distribution, distributions
 from repro.report.files import csv_text
 from repro.report.style import Rows
 from repro.report.words import anchor
@@ -15,13 +16,14 @@ from repro.shifts import centred
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RunsView:
-    """Tests between algorithms, and what they do off the centre.
+    """Tests between algorithms, what they do off the centre, and how their runs are spread.
 
     `shiftable` says whether any problem has its optimum about the centre.
     """
 
     comparisons: tuple[Comparison, ...]
     centre_biases: tuple[CentreBias, ...]
+    distributions: tuple[Distribution, ...]
     shiftable: bool
 
     def context(self) -> dict[str, object]:
@@ -29,6 +31,7 @@ class RunsView:
         return {
             "comparisons": self.comparisons,
             "centre_biases": self.centre_biases,
+            "distributions": self.distributions,
             "shiftable": self.shiftable,
         }
 
@@ -42,7 +45,8 @@ class RunsView:
             (kind, c.experiment.name, rows) for c in self.comparisons for kind, rows in c.tables()
         ]
         named += [("centre bias", b.experiment.name, b.drawing.rows) for b in self.centre_biases]
-        return {anchor(kind, name): rows for kind, name, rows in named}
+        spread = {each.name: each.drawing.rows for each in self.distributions}
+        return {anchor(kind, name): rows for kind, name, rows in named} | spread
 
 
 def runs_view(evidence: Evidence, findings: Sequence[Finding]) -> RunsView:
@@ -50,5 +54,6 @@ def runs_view(evidence: Evidence, findings: Sequence[Finding]) -> RunsView:
     return RunsView(
         comparisons=comparisons(evidence, findings),
         centre_biases=centre_biases(evidence),
+        distributions=distributions(evidence),
         shiftable=any(map(centred, evidence.paper.experiments)),
     )
