@@ -97,7 +97,8 @@ def test_three_algorithms_on_two_problems_are_ranked_by_their_means() -> None:
     ranking = comparison.ranking
 
     assert ranking
-    assert ranking.rows == (("PSO", "1.500", "–"), ("DE", "1.500", "–"), ("WOA", "3.000", "–"))
+    assert ranking.rows == (("PSO", "1.500"), ("DE", "1.500"), ("WOA", "3.000"))
+    assert ranking.headings == ("algorithm", "average rank")
     means = np.array([[6.5, 2.5, 2.5]] * 2)
     assert ranking.friedman == friedman(means)
 

@@ -28,11 +28,12 @@ Pair = tuple[str, str]
 class Ranking:
     """Average ranks by the mean cost of the first repeat, with what the paper prints of them.
 
-    `rows` holds (algorithm, average rank, printed average rank).
+    `rows` holds (algorithm, average rank), and the printed average rank where any is printed.
     """
 
     friedman: Friedman
-    rows: tuple[tuple[str, str, str], ...]
+    headings: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
     drawing: Drawing
 
 
@@ -173,7 +174,11 @@ def _ranking(experiment: Experiment, evidence: Evidence, judged: Judged) -> Rank
     ranked = sorted(zip(names, found.ranks, strict=True), key=lambda pair: pair[1])
     return Ranking(
         friedman=found,
-        rows=tuple((name, f"{rank:.3f}", printed.get(name, "–")) for name, rank in ranked),
+        headings=("algorithm", "average rank", "printed")[: 3 if printed else 2],
+        rows=tuple(
+            (name, f"{rank:.3f}", *((printed.get(name, "–"),) if printed else ()))
+            for name, rank in ranked
+        ),
         drawing=drawing(
             lambda: rank_plot(names, found, printed),
             title=f"Average ranks in {experiment.name}",
