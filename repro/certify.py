@@ -5,8 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from repro.certify_spline import NotProvedError, SplineProof, prove
+from repro.certify_spline import SplineProof, prove
 from repro.claims import CellClaim, Claim
+from repro.errors import NotProvedError
 from repro.measures import Statistic
 from repro.model import Experiment, Paper
 from repro.published import UNITS
@@ -14,12 +15,19 @@ from repro.robotics import MinimumTime, MinimumTimeSpline, PathFitting
 from repro.robotics.fastest import fastest_joints
 from repro.robotics.fixed_penalties import Cheapest, cheapest, unbounded
 from repro.robotics.rest_to_rest import DERIVATIVES
+from repro.spline_rows import Cut
 
 GAP = 1e-4  # s: closer than this, a bound and a motion count as one minimum
 LINEAR_PROGRAMME = (
     "linear programme: the velocity limits are linear in the durations, a rational combination of "
     "them bounds the sum from below, and a motion lengthened by 1e-7 of its time is proved to keep "
     "every limit by Bernstein coefficients in rational numbers"
+)
+BRANCH_AND_BOUND = (
+    "branch and bound over the durations: the velocity limits are linear in them, the acceleration "
+    "limits cubic with a chord as their linear bound in a box; a rational combination of both "
+    "bounds the sum in each of {boxes} boxes from below, and a motion lengthened by 1e-7 of its "
+    "time is proved to keep every limit by Bernstein coefficients in rational numbers"
 )
 
 
@@ -186,7 +194,7 @@ def _spline(
         minimum=minimum,
         lower_bound=lower,
         attained=attained,
-        method=LINEAR_PROGRAMME,
+        method=BRANCH_AND_BOUND.format(boxes=proof.boxes) if proof.boxes else LINEAR_PROGRAMME,
         at=tuple(map(float, proof.durations)),
         binding=_holding(problem, proof),
         printed=_printed(paper, of, minimum) if minimum else (),
@@ -211,21 +219,33 @@ def _unproved(paper: str, label: str, explanation: str) -> Certificate:
 
 def _accelerations(proof: SplineProof, minimum: float | None) -> str:
     share = f"{100 * proof.acceleration_share:.3g} % of its limit"
-    if minimum is not None:
-        return f"No acceleration exceeds {share}, so these limits play no part in the minimum."
-    return (
-        f"The minimum lies between {float(proof.lower_bound):.4f} s, which the velocity limits "
-        f"alone require, and {float(proof.attained):.4f} s, the shortest motion found that keeps "
-        f"the acceleration limits too (it reaches {share})."
-    )
+    lower, attained = float(proof.lower_bound), float(proof.attained)
+    if minimum is None:
+        return (
+            f"The minimum lies between {lower:.4f} s, proved by {proof.boxes} boxes of durations, "
+            f"and {attained:.4f} s, the shortest motion found (it reaches {share})."
+        )
+    if proof.boxes:
+        return (
+            f"The minimum lies between {lower:.6f} s and {attained:.6f} s. An acceleration reaches "
+            f"{share}; the velocity limits alone would allow less."
+        )
+    return f"No acceleration exceeds {share}, so these limits play no part in the minimum."
 
 
 def _holding(problem: MinimumTimeSpline, proof: SplineProof) -> tuple[str, ...]:
-    return tuple(
-        f"segment {cut.span + 1}: velocity of joint {cut.joint + 1} (limit "
-        f"{problem.velocity[cut.joint]:g}) at {100 * float(cut.u):.3g} % of it"
-        for cut in sorted(proof.cuts, key=lambda cut: (cut.span, cut.u))
+    # u that differ by less than is shown are one place
+    places = (
+        f"segment {limit.span + 1}: {kind} of joint {limit.joint + 1} (limit "
+        f"{limits[limit.joint]:g}) at {100 * float(limit.u):.3g} % of it"
+        for limit in sorted(proof.holding, key=lambda limit: (limit.span, limit.u))
+        for kind, limits in [
+            ("velocity", problem.velocity)
+            if isinstance(limit, Cut)
+            else ("acceleration", problem.acceleration)
+        ]
     )
+    return tuple(dict.fromkeys(places))
 
 
 def _binding(problem: MinimumTime, segment: int) -> str:

@@ -15,6 +15,10 @@ class InputError(ReproError, ValueError):
     """A caller asked for something that cannot be done."""
 
 
+class NotProvedError(ReproError):
+    """No motion could be proved to obey, or no bound be proved."""
+
+
 class StoreError(ReproError):
     """The store is locked, newer than this program, or damaged."""
 

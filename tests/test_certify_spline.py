@@ -5,10 +5,13 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from repro.certify_spline import NotProvedError, _exact, _obeys, prove
+from repro.certify_spline import _obeys, prove
+from repro.errors import NotProvedError
 from repro.optimisers import DE, SMA, WOA, Optimiser
 from repro.robotics import MinimumTimeSpline
+from repro.robotics.bsplines import Ends
 from repro.robotics.spline_motion import motion
+from repro.spline_rows import Cut, exact
 from tests.test_spline_motion import PROBLEM
 
 Vector = NDArray[np.float64]
@@ -54,11 +57,11 @@ def test_a_slightly_shorter_motion_breaks_a_velocity_limit() -> None:
 @pytest.mark.parametrize("sign", [1.0, -1.0])
 def test_motion_that_breaks_a_limit_in_one_direction_is_not_proved(sign: float) -> None:
     line = replace(LINE, nodes=((0.0, 0.0), (3.0 * sign, sign)))
-    exact, proof = _exact(line), prove(line)
+    model, proof = exact(line), prove(line)
     shorter = tuple(h * Fraction(999, 1000) for h in proof.durations)
 
-    assert _obeys(exact, proof.durations)
-    assert not _obeys(exact, shorter)
+    assert _obeys(model, proof.durations)
+    assert not _obeys(model, shorter)
 
 
 @pytest.mark.parametrize("optimiser", [WOA(), SMA(), DE()], ids=repr)
@@ -79,8 +82,9 @@ def test_search_comes_close_to_the_proved_minimum() -> None:
 
 def test_bound_is_the_linear_programme_of_dense_samples() -> None:
     proof = prove(LIGHT)
-    weights = np.array([cut.weights for cut in proof.cuts], dtype=np.float64)
-    least = np.array([cut.least for cut in proof.cuts], dtype=np.float64)
+    cuts = [limit for limit in proof.holding if isinstance(limit, Cut)]
+    weights = np.array([cut.weights for cut in cuts], dtype=np.float64)
+    least = np.array([cut.least for cut in cuts], dtype=np.float64)
     durations = np.array(proof.durations, dtype=np.float64)
 
     # the cuts are tight at the optimum, and a combination of them is the objective
@@ -96,15 +100,22 @@ def test_limit_that_holds_at_an_inner_node_is_not_counted_twice() -> None:
     proof = prove(even)
 
     assert float(proof.lower_bound) == pytest.approx(9)
-    assert len(proof.cuts) <= 3
+    assert len(proof.holding) <= 3
 
 
-def test_acceleration_that_bites_leaves_an_honest_gap() -> None:
-    proof = prove(HEAVY)
+@pytest.mark.parametrize("ends", ["repeated", "still", "natural"])
+def test_minimum_is_proved_where_accelerations_bite(ends: Ends) -> None:
+    proof = prove(replace(HEAVY, ends=ends))
 
-    assert proof.lower_bound == prove(LIGHT).lower_bound
-    assert proof.attained > proof.lower_bound + 1
+    assert 0 <= proof.attained - proof.lower_bound < Fraction(1, 10**4)
+    assert proof.attained > prove(replace(LIGHT, ends=ends)).attained + 1
     assert proof.acceleration_share == pytest.approx(1, abs=1e-5)
+    assert proof.boxes > 0
+
+
+def test_only_velocities_hold_a_motion_whose_accelerations_are_slack() -> None:
+    assert prove(LIGHT).boxes == 0
+    assert {type(limit) for limit in prove(LIGHT).holding} == {Cut}
 
 
 def test_path_on_which_no_joint_moves_is_not_proved() -> None:

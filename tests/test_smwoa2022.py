@@ -176,15 +176,17 @@ def test_certified_minimum_is_proved_to_a_microsecond_and_half_of_the_printed_ti
     assert all(2 < time.ratio < 2.3 for time in proved.printed)
 
 
-def test_readings_at_rest_have_certificates_one_of_them_with_a_gap() -> None:
-    gap, closed = certify(PAPER)[1:]
+def test_readings_at_rest_are_proved_whether_or_not_accelerations_bind() -> None:
+    bent, straight = certify(PAPER)[1:]
 
-    assert gap.minimum is None
-    assert gap.lower_bound is not None
-    assert gap.attained is not None
-    assert gap.lower_bound < gap.attained
-    assert f"{gap.lower_bound:.4f}" in gap.explanation
-    assert closed.minimum is not None
+    for proved in (bent, straight):
+        assert proved.minimum is not None
+        assert proved.lower_bound is not None
+        assert 0 < proved.minimum - proved.lower_bound < 5e-5
+    assert "branch and bound" in bent.method
+    assert any("acceleration" in limit for limit in bent.binding)
+    assert "branch and bound" not in straight.method
+    assert not any("acceleration" in limit for limit in straight.binding)
 
 
 @pytest.mark.parametrize("name", TRAJECTORY.algorithms)

@@ -8,7 +8,8 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
-from repro.certify_spline import NotProvedError, prove
+from repro.certify_spline import prove
+from repro.errors import NotProvedError
 from repro.evidence import Evidence
 from repro.figures import SplineMotion
 from repro.report.motion import CERTIFIED, QUANTITIES, UNITS, Course
