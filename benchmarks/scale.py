@@ -1,7 +1,8 @@
 """What planning, storing and judging cost at 10^4, 10^5 and 10^6 records that nobody ran.
 
 `python benchmarks/scale.py [RECORDS…]` prints a table; each step has a process of its own, so that
-its memory, beyond that of a fresh process, is its own. Fails where 10^6 tasks take 30 s to plan or 60 s to judge.
+its memory, beyond that of a fresh process, is its own. Fails where planning takes 30 s or judging
+60 s.
 """
 
 import json

@@ -27,6 +27,7 @@ pytest.importorskip("distributed", reason="the extra `cluster` is not installed"
 ROOT = Path(__file__).parent.parent
 WHOLE = os.environ.get("REPRO_CLUSTER") == "whole"
 WORKERS = 4
+STARTING_SECONDS = 60  # a busy machine takes a while to load Dask
 SAME = "key, paper, experiment, problem, algorithm, repeat, run, cost, x, evaluations, reason, y"
 """Columns that say what a run gave; how long it took is another matter."""
 
@@ -48,10 +49,17 @@ class Dask:
     def start(self, workers: int) -> None:
         """Start the scheduler and workers of one thread each."""
         self.scheduler = self._start("dask_scheduler", "--port", str(self.port))
+        limit = time.monotonic() + STARTING_SECONDS
+        while not self._listens() and time.monotonic() < limit:
+            time.sleep(0.1)
         self.workers = [
             self._start("dask_worker", self.address, "--nthreads", "1", "--no-nanny")
             for _ in range(workers)
         ]
+
+    def _listens(self) -> bool:
+        with socket.socket() as probe:
+            return probe.connect_ex(("127.0.0.1", self.port)) == 0
 
     def _start(self, program: str, *arguments: str) -> subprocess.Popen[bytes]:
         options = (*arguments, "--host", "127.0.0.1", "--no-dashboard")
