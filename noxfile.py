@@ -63,6 +63,24 @@ def tests(session: nox.Session) -> None:
 
 
 @nox.session
+def faults(session: nox.Session) -> None:
+    """Kill, damage and misuse everything, at length: what `tests` does in short."""
+    _install(session, "test")
+    environment = {**ONE_THREAD, "REPRO_FAULTS": "long", "HYPOTHESIS_PROFILE": "faults"}
+    session.run("pytest", "-m", "faults", *session.posargs, env=environment)
+    try:
+        session.install("atheris>=2.3")  # no wheel for every Python and system
+    except nox.command.CommandFailed:
+        session.log("atheris does not install here: no coverage-guided fuzzing, Hypothesis alone")
+        return
+    seconds = os.environ.get("FUZZ_SECONDS", "60")
+    for target in ("table", "store", "page"):
+        session.run(
+            *("python", "-m", "tests.fuzzing", target, f"-max_total_time={seconds}"), env=ONE_THREAD
+        )
+
+
+@nox.session
 def fuzz(session: nox.Session) -> None:
     """Run the property-based tests with many more examples."""
     _install(session, "test")
