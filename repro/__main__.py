@@ -25,6 +25,10 @@ TERMINATED = 143
 SOME_RUN_FAILED = 1
 DEFAULT_REPEATS = 10
 PAGES = "repro.report.pages"  # takes seconds to load, with all that draws
+_AGAIN = (
+    "Run what one printed number needs, once, and say what comes out: the number that its page "
+    "shows below the printed one. Nothing is stored."
+)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -66,12 +70,17 @@ def _parser() -> argparse.ArgumentParser:
     audit = _command(commands, _audit, "audit", "what the printed tables say about themselves")
     certificates = _command(commands, _certify, "certify", "proved minima of the motion problems")
     references = _command(commands, _references, "references", "what other planners say of them")
-    again = _command(
+    verified = _command(
         commands, _verify, "verify", "re-run a random sample of the stored runs and compare"
     )
-    for command in (listing, audit, certificates, references, again):
+    again = commands.add_parser("again", help="run one printed number again", description=_AGAIN)
+    again.add_argument("key", metavar="KEY", help="the paper")
+    again.add_argument("name", metavar="NAME", help="the number, as its page and its CSV call it")
+    again.add_argument("--workers", type=int, help="threads on this machine (default: cores)")
+    again.set_defaults(command=_again)
+    for command in (listing, audit, certificates, references, verified):
         command.add_argument("--json", action="store_true", help="print JSON")
-    _add_sample(again)
+    _add_sample(verified)
     return parser
 
 
@@ -206,6 +215,18 @@ def _verify(options: argparse.Namespace) -> int:
         message = f"{len(found.damaged)} rows are damaged; `repro reproduce` sets them aside"
         raise StoreError(message)
     return SOME_RUN_FAILED if found.count(Outcome.MISMATCH) else 0
+
+
+def _again(options: argparse.Namespace) -> int:
+    from repro.again import run_again  # noqa: PLC0415 (slow imports late)
+    from repro.executors import checked_workers, local  # noqa: PLC0415
+
+    (paper,) = _chosen([options.key])
+    workers = checked_workers(options.workers)
+    with local(workers) as executor:
+        found = run_again(paper, options.name, executor=executor, workers=workers)
+    sys.stdout.write(found.text)
+    return 0
 
 
 def _list(options: argparse.Namespace) -> int:

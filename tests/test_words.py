@@ -1,3 +1,6 @@
+import math
+import re
+
 import pytest
 
 from repro.published import Printed
@@ -5,9 +8,12 @@ from repro.report.words import (
     anchor,
     difference,
     digits_for,
+    identifiers,
     interval,
+    markdown_cell,
     number,
     raised,
+    share,
     verdict_words,
 )
 
@@ -16,6 +22,8 @@ from repro.report.words import (
     ("value", "text"),
     [
         (None, "–"),
+        (math.nan, "–"),
+        (math.inf, "–"),
         (0.0, "0"),
         (5.0, "5"),
         (2.33951, "2.340"),
@@ -68,3 +76,35 @@ def test_an_anchor_has_letters_digits_and_hyphens_only() -> None:
 
 def test_powers_are_raised_and_markup_is_not_let_through() -> None:
     assert raised("<b> 2×10^-5") == "&lt;b&gt; 2×10<sup>−5</sup>"
+
+
+def test_identifiers_are_all_different_whatever_the_names_are() -> None:
+    places = [
+        ("Table 1", "F1", "WOA"),
+        ("Table 1", "F1", "WOA+"),
+        ("claim", None, "鲸"),
+        ("claim",),
+    ]
+
+    assert identifiers(places) == ["table-1-f1-woa", "table-1-f1-woa-2", "claim", "claim-2"]
+
+
+@pytest.mark.parametrize(
+    ("quantile", "words"),
+    [
+        (None, "–"),
+        (0.0, "none of the 2000 re-run tables lies below the printed number"),
+        (1.0, "all of the 2000 re-run tables lie below the printed number"),
+        (0.25, "25.0 % of the re-run tables lie below it"),
+        (0.99975, "99.98 % of the re-run tables lie below it"),
+    ],
+)
+def test_a_quantile_is_said_as_a_share_of_tables(quantile: float | None, words: str) -> None:
+    assert share(quantile, 2000) == words
+
+
+@pytest.mark.parametrize("text", ["a | b", "<b>", "[x](javascript:alert)", "two\nlines"])
+def test_text_in_a_markdown_cell_opens_nothing(text: str) -> None:
+    safe = markdown_cell(text)
+
+    assert not re.search(r"(?<!\\)\||<|\]\(|\n", safe)

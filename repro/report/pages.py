@@ -1,6 +1,7 @@
 """Writing the reports folder: pages, figures, tables and results.json."""
 
 from collections.abc import Iterable, Mapping, Sequence
+from functools import cache
 from pathlib import Path
 
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
@@ -29,8 +30,9 @@ from repro.report.results import (
     verdict_counts,
 )
 from repro.report.runs_view import runs_view
-from repro.report.view import marks_by_cell, shown, table_view
-from repro.report.words import MEANINGS, SYMBOLS, anchor, number
+from repro.report.search import search_rows
+from repro.report.view import Shown, everything, table_view, tallies
+from repro.report.words import MEANINGS, SYMBOLS, anchor, markdown_cell, number
 from repro.session import gather
 from repro.store import Store
 from repro.studies import studies
@@ -40,7 +42,7 @@ Files = dict[str, str]
 _COLUMNS = (
     *("table", "row", "column", "claim", "where", "printed", "unit", "value"),
     *("measured_low", "measured_high", "accepted_low", "accepted_high", "quantile", "repeats"),
-    *("verdict", "side", "note", "readings_tried", "within_reach_of"),
+    *("verdict", "side", "note", "readings_tried", "within_reach_of", "id"),
 )
 
 
@@ -90,17 +92,17 @@ def _paper_files(
         paper, findings=findings, audit=rows, certificates=certificates, provenance=provenance
     )
     runs = runs_view(evidence, findings)
-    marks = marks_by_cell(rows)
-    everything = [shown(finding, marks) for finding in findings]
-    found = {(s.finding.table, s.finding.row, s.finding.column): s for s in everything}
+    found = everything(findings, rows)
+    cells = {(s.finding.table, s.finding.row, s.finding.column): s for s in found}
     context = {
         "paper": paper,
         "entry": entry,
         "counts": verdict_counts(entry),
-        "results": [table_view(table, found) for table in paper.results],
+        "tallies": tallies(found),
+        "results": [table_view(table, cells) for table in paper.results],
         "inputs": [table_view(table, {}) for table in paper.inputs],
-        "sentences": [s for s in everything if s.finding.claim],
-        "everything": everything,
+        "sentences": [s for s in found if s.finding.claim],
+        "everything": found,
         **runs.context(),
         "audit": rows,
         "certificates": [
@@ -115,17 +117,25 @@ def _paper_files(
     }
     files[f"{paper.key}.html"] = _render("paper.html", context)
     files[f"{paper.key}.md"] = _render("paper.md", context)
-    files |= _tables(paper, findings, drawings) | runs.files(paper.key)
+    files |= _tables(paper, found, drawings) | runs.files(paper.key)
     return entry
 
 
 def index_files(results: Json) -> Files:
     """Return the index pages and the table of verdicts alone."""
-    context = {"results": results, "papers": results["papers"], "counts_of": verdict_counts}
+    papers = results["papers"]
+    not_run = any(verdict_counts(paper)[Verdict.NOT_RUN] for paper in papers)
+    context = {
+        "papers": papers,
+        "counts_of": verdict_counts,
+        "verdicts": [v for v in Verdict if v != Verdict.NOT_RUN or not_run],
+        "search_rows": search_rows(papers),
+    }
     return {name: _render(name, context) for name in ("index.html", "index.md", "verdicts.md")}
 
 
-def _render(name: str, context: Mapping[str, object]) -> str:
+@cache
+def _templates() -> Environment:
     environment = Environment(
         loader=PackageLoader("repro.report"),
         autoescape=select_autoescape(["html.jinja"]),
@@ -145,47 +155,28 @@ def _render(name: str, context: Mapping[str, object]) -> str:
         "markup": Markup,  # for the SVG that we draw ourselves
         "time_cells": _time_cells,
         "comparison_rows": lambda c: [(problem, *texts) for problem, texts in c.rows],
-        "run_again": run_again,
-        "cell": _markdown,
+        "cell": markdown_cell,
     }
     environment.globals["viewer"] = viewer
     environment.globals |= {"SYMBOLS": SYMBOLS, "MEANINGS": MEANINGS, "VERDICTS": tuple(Verdict)}
-    return environment.get_template(f"{name}.jinja").render(context)
+    return environment
 
 
-def _markdown(text: object) -> str:
-    """Return text that stays one cell of a Markdown table and can open no tag."""
-    return str(text).replace("|", "\\|").replace("\n", " ").replace("<", "&lt;")
+def _render(name: str, context: Mapping[str, object]) -> str:
+    return _templates().get_template(f"{name}.jinja").render(context)
 
 
 def _time_cells(rows: Iterable[tuple[str, float, float]]) -> list[tuple[str, str, str]]:
     return [(label, number(time), f"{ratio:.4f}") for label, time, ratio in rows]
 
 
-def run_again(paper: Paper) -> str:
-    """Return what to type to see the paper, one of its numbers, or one run come out again."""
-    experiment = paper.experiments[0]
-    cell = f"{paper.key}/{experiment.name}/{next(iter(experiment.problems))}/{experiment.proposed}"
-    return f"""# the whole paper, pages included
-nox -s reproduce -- {paper.key}
-
-# one mean, from the runs of the first repeat, in Python (after: pip install .)
-from repro.__main__ import all_papers
-from repro.plan import plan
-from repro.run import execute
-
-tasks = plan([all_papers()["{paper.key}"]], repeats=1)
-costs = [execute(task).cost for task in tasks if task.name.startswith("{cell}/1/")]
-print(sum(costs) / len(costs))"""
-
-
-def _tables(paper: Paper, findings: Sequence[Finding], drawings: Sequence[Drawing]) -> Files:
-    by_table: dict[str, list[Finding]] = {}
-    for finding in findings:
-        by_table.setdefault(finding.table or "claims", []).append(finding)
+def _tables(paper: Paper, found: Sequence[Shown], drawings: Sequence[Drawing]) -> Files:
+    by_table: dict[str, list[tuple[object, ...]]] = {}
+    for one in found:
+        by_table.setdefault(one.group, []).append((*_csv_row(one.finding), one.anchor))
     files = {
-        f"tables/{paper.key}-{anchor(label)}.csv": csv_text([_COLUMNS, *map(_csv_row, own)])
-        for label, own in by_table.items()
+        f"tables/{paper.key}-{group}.csv": csv_text([_COLUMNS, *own])
+        for group, own in by_table.items()
     }
     for figure, drawing in zip(paper.figures, drawings, strict=True):
         files[f"tables/{paper.key}-{anchor(figure.label)}.csv"] = csv_text(drawing.rows)

@@ -1,17 +1,21 @@
 """What the templates show of one paper, arranged from its findings."""
 
-from collections.abc import Iterable, Mapping
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from repro.audit import AuditRow
 from repro.findings import IN_WORDS, Finding
+from repro.measures import TABLES
 from repro.published import UNITS, Printed, PublishedTable
 from repro.report.words import (
     anchor,
     difference,
     digits_for,
+    identifiers,
     interval,
     number,
+    share,
     verdict_words,
 )
 
@@ -20,7 +24,7 @@ Place = tuple[str | None, str | None, str | None]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Shown:
-    """One finding as the pages show it."""
+    """One finding as the pages show it; it stands on `line` of the CSV file of `group`."""
 
     finding: Finding
     anchor: str
@@ -28,11 +32,37 @@ class Shown:
     value: str
     difference: str
     verdict: str
+    sign: str
+    word: str
     kind: str
     measured: str
     accepted: str
     quantile: str
+    group: str
+    line: int
+    order: float | None
+    readings: tuple["ShownReading", ...] = ()
     marks: tuple[AuditRow, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ShownReading:
+    """What becomes of a contradicted number under another reading, as the pages show it."""
+
+    reading: str
+    measured: str
+    verdict: str
+    kind: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Tally:
+    """How many findings of one table, or of the claims (no label), have each verdict."""
+
+    label: str
+    anchor: str
+    counts: Mapping[str, int]
+    total: int
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -45,26 +75,79 @@ class Table:
     headings: tuple[str, ...]
     columns: tuple[str, ...]
     rows: tuple[tuple[tuple[str, ...], tuple[Shown | str, ...]], ...]
+    judged: bool
 
 
-def shown(finding: Finding, marks: Mapping[Place, list[AuditRow]]) -> Shown:
-    """Return a finding in the words and digits of the pages."""
-    place = (finding.table, finding.row, finding.column)
+def everything(findings: Sequence[Finding], rows: Iterable[AuditRow]) -> list[Shown]:
+    """Return every finding in the words and digits of the pages, with the audit rows on it."""
+    marks = marks_by_cell(rows)
+    names = identifiers(map(place_of, findings))
+    lines: Counter[str] = Counter()
+    found = []
+    for name, finding in zip(names, findings, strict=True):
+        group = group_of(finding)
+        lines[group] += 1
+        cell = (finding.table, finding.row, finding.column)
+        own = tuple(marks.get(cell, ())) if finding.table else ()
+        found.append(_shown(finding, name, group, lines[group] + 1, own))
+    return found
+
+
+def place_of(finding: Finding) -> tuple[str | None, ...]:
+    """Return what the identifier of a finding is made of."""
+    return finding.table or "claim", finding.row, finding.column, finding.claim
+
+
+def group_of(finding: Finding) -> str:
+    """Return the name of the CSV file that a finding stands in, less the paper's key."""
+    return anchor(finding.table or "claims")
+
+
+def tallies(found: Iterable[Shown]) -> list[Tally]:
+    """Return the verdict counts of each results table, and of the claims, in printed order."""
+    counts: dict[tuple[str, str], Counter[str]] = {}
+    for one in found:
+        place = (one.finding.table or "", one.group)
+        counts.setdefault(place, Counter())[one.finding.verdict] += 1
+    return [
+        Tally(label=label, anchor=group, counts=own, total=own.total())
+        for (label, group), own in counts.items()
+    ]
+
+
+def _shown(
+    finding: Finding, name: str, group: str, line: int, marks: tuple[AuditRow, ...]
+) -> Shown:
     worded = finding.printed == IN_WORDS
     printed = None if worded else Printed(finding.printed, finding.unit)
     digits = digits_for(printed) if printed else 4
+    verdict = verdict_words(finding.verdict, finding.side)
     return Shown(
         finding=finding,
-        anchor=anchor(*place, finding.claim),
+        anchor=name,
         printed=finding.printed if finding.table or not printed else _with_unit(printed),
         value=number(finding.value, digits),
         difference=difference(printed, finding.value) if printed else "",
-        verdict=verdict_words(finding.verdict, finding.side),
+        verdict=verdict,
+        sign=verdict.partition(" ")[0],
+        word=verdict.partition(" ")[2],
         kind=anchor(finding.verdict),
         measured=interval(finding.measured, digits),
         accepted=interval(finding.accepted, digits),
-        quantile="–" if finding.quantile is None else f"{finding.quantile:.3f}",
-        marks=tuple(marks.get(place, ())) if finding.table else (),
+        quantile=share(finding.quantile, TABLES),
+        group=group,
+        line=line,
+        order=printed.value if printed else None,
+        readings=tuple(
+            ShownReading(
+                reading=other.reading,
+                measured=interval(other.measured, digits),
+                verdict=verdict_words(other.verdict, other.side),
+                kind=anchor(other.verdict),
+            )
+            for other in finding.readings
+        ),
+        marks=marks,
     )
 
 
@@ -106,4 +189,5 @@ def table_view(table: PublishedTable, found: Mapping[Place, Shown]) -> Table:
             for column in table.columns
         ),
         rows=tuple(rows),
+        judged=bool(found),
     )

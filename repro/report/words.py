@@ -2,6 +2,7 @@
 
 import math
 import re
+from collections.abc import Iterable
 
 from markupsafe import Markup, escape
 
@@ -26,7 +27,7 @@ MEANINGS = {
 
 def number(value: float | None, digits: int = 4) -> str:
     """Return a number with so many significant digits; powers of ten are written out."""
-    if value is None:
+    if value is None or not math.isfinite(value):
         return "–"
     if value == 0:
         return "0"
@@ -92,3 +93,36 @@ def anchor(*parts: str | None) -> str:
     """Return an identifier for deep links made of letters, digits and hyphens."""
     text = "-".join(part for part in parts if part).lower()
     return re.sub(r"[^a-z0-9]+", "-", text).strip("-")
+
+
+def identifiers(places: Iterable[tuple[str | None, ...]]) -> list[str]:
+    """Return one identifier per place of a paper, no two alike: links and commands name it."""
+    used: set[str] = set()
+    names = []
+    for place in places:
+        first = name = anchor(*place)
+        count = 1
+        while name in used:
+            count += 1
+            name = f"{first}-{count}"
+        used.add(name)
+        names.append(name)
+    return names
+
+
+def share(quantile: float | None, tables: int) -> str:
+    """Return in words how many of so many re-run tables lie below the printed number."""
+    if quantile is None:
+        return "–"
+    if quantile <= 0:
+        return f"none of the {tables} re-run tables lies below the printed number"
+    if quantile >= 1:
+        return f"all of the {tables} re-run tables lie below the printed number"
+    percent = 100 * quantile
+    return f"{percent:.{1 if 1 <= percent <= 99 else 2}f} % of the re-run tables lie below it"
+
+
+def markdown_cell(text: object) -> str:
+    """Return text that stays one cell of a Markdown table and can open no tag and no link."""
+    plain = " ".join(str(text).split("\n"))
+    return plain.replace("|", "\\|").replace("<", "&lt;").replace("](", "]\\(")

@@ -1,17 +1,29 @@
+// Headings that sort: up, down, then as printed again.
 for (const table of document.querySelectorAll("table.sortable")) {
-  table.querySelectorAll("thead th").forEach((heading, column) => {
+  const body = table.tBodies[0];
+  const printed = [...body.rows];
+  const { compare } = new Intl.Collator("en", { numeric: true });
+  const headings = [...table.tHead.rows[0].cells];
+  const keyOf = (row, column) => {
+    const cell = row.cells[column];
+    return cell.dataset.sort ?? cell.textContent.trim();
+  };
+  const ordered = (column, sign) => [...printed].sort((a, b) => {
+    const [first, second] = [keyOf(a, column), keyOf(b, column)];
+    const gap = Number(first) - Number(second);
+    return sign * (Number.isNaN(gap) ? compare(first, second) : gap);
+  });
+  headings.forEach((heading, column) => {
     const button = document.createElement("button");
     button.className = "sort";
-    button.textContent = heading.textContent;
-    heading.replaceChildren(button);
+    button.append(...heading.childNodes);
+    heading.append(button);
     button.addEventListener("click", () => {
-      const up = heading.getAttribute("aria-sort") !== "ascending";
-      for (const other of heading.parentNode.children) other.removeAttribute("aria-sort");
-      heading.setAttribute("aria-sort", up ? "ascending" : "descending");
-      const key = row => row.cells[column].textContent.trim();
-      const compare = new Intl.Collator("en", { numeric: true }).compare;
-      const body = table.tBodies[0];
-      body.append(...[...body.rows].sort((a, b) => (up ? 1 : -1) * compare(key(a), key(b))));
+      const next = { ascending: "descending", descending: null }[heading.ariaSort];
+      const order = next === undefined ? "ascending" : next;
+      for (const other of headings) other.removeAttribute("aria-sort");
+      if (order) heading.setAttribute("aria-sort", order);
+      body.append(...(order ? ordered(column, order === "ascending" ? 1 : -1) : printed));
     });
   });
 }

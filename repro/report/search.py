@@ -1,0 +1,32 @@
+"""What the index's search box looks through: papers, tables, cells, claims and audit rows."""
+
+from collections.abc import Iterable, Iterator
+
+from repro.report.results import Json
+from repro.report.words import anchor, identifiers, verdict_words
+
+Row = tuple[str, str, str, str]
+
+
+def search_rows(papers: Iterable[Json]) -> list[Row]:
+    """Return (paper, address, text, verdict) of everything that has an address of its own."""
+    return [row for paper in papers for row in _rows(paper)]
+
+
+def _rows(paper: Json) -> Iterator[Row]:
+    key = paper["key"]
+    yield key, f"{key}.html", f"{paper['title']}. {paper['summary']}", "paper"
+    findings = paper["findings"]
+    for table in dict.fromkeys(one["table"] for one in findings if one["table"]):
+        yield key, f"{key}.html#{anchor(table)}", table, "table"
+    names = identifiers(
+        (one["table"] or "claim", one["row"], one["column"], one["claim"]) for one in findings
+    )
+    for name, one in zip(names, findings, strict=True):
+        place = one["claim"] or f"{one['table']}, {one['row']}, {one['column']}"
+        text = f"{place}: {one['printed']} {one['unit']}".strip()
+        yield key, f"{key}.html#{name}", text, verdict_words(one["verdict"], one["side"])
+    for number, row in enumerate(paper["audit"], start=1):
+        cell = f", {row['row']}, {row['column']}" if row["row"] else ""
+        text = f"{row['table']}{cell}: {row['check']}"
+        yield key, f"{key}.html#audit-{number}", text, f"⚑ {row['grade']}"
