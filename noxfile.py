@@ -22,6 +22,7 @@ LOCKS = {
     "types": ["types"],
     "cluster": ["cluster", "test"],
     "references": ["references", "test"],
+    "browser": ["browser", "test"],
 }
 
 
@@ -53,13 +54,25 @@ def report(session: nox.Session) -> None:
 
 
 @nox.session
+def again(session: nox.Session) -> None:
+    """Run one printed number again: -- KEY NAME, as its page calls it."""
+    _install(session, "run")
+    session.run("repro", "again", *session.posargs, env=ONE_THREAD)
+
+
+@nox.session
 def tests(session: nox.Session) -> None:
-    """Run the tests, a full-size re-run of the papers' protocols and browser checks among them."""
+    """Run the tests, a full-size re-run of the papers' protocols among them."""
     _install(session, "test")
-    session.run(
-        *("pytest", "-m", "not cluster", *session.posargs),
-        env={**ONE_THREAD, "REPRO_BROWSER": _browser(session)},
-    )
+    session.run("pytest", "-m", "not browser and not cluster", *session.posargs, env=ONE_THREAD)
+
+
+@nox.session
+def browser(session: nox.Session) -> None:
+    """Look at the pages in Chromium: by mouse, by keyboard, without script, on a phone, printed."""
+    _install(session, "browser")
+    environment = {**ONE_THREAD, "REPRO_BROWSER": _chromium(session)}
+    session.run("pytest", "-m", "browser", *session.posargs, env=environment)
 
 
 @nox.session
@@ -155,8 +168,8 @@ def lock(session: nox.Session) -> None:
         )
 
 
-def _browser(session: nox.Session) -> str:
-    """Return a Chromium for the tests of the pages; as root, install Debian's where none is."""
+def _chromium(session: nox.Session) -> str:
+    """Return a Chromium; as root, install Debian's where none is. In CI, fail without one."""
     known = (os.environ.get("REPRO_BROWSER"), "chromium", "chromium-browser", "google-chrome")
     for name in filter(None, known):
         if path := shutil.which(name):
@@ -170,10 +183,8 @@ def _browser(session: nox.Session) -> str:
         )
         if path := shutil.which("chromium"):
             return path
-    if os.environ.get("CI"):
-        session.error("no Chromium: install one, or name it in REPRO_BROWSER")
-    session.log("no Chromium found: the tests of the pages in a browser are left out")
-    return ""
+    stop = session.error if os.environ.get("CI") else session.skip
+    return stop("no Chromium: install one, or name it in REPRO_BROWSER")
 
 
 if __name__ == "__main__":

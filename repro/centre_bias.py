@@ -26,9 +26,9 @@ one problem has the same seed at every shift."""
 
 FLAG = 10.0
 SOLVED = 1e-8
-"""Errors below this count as this; the CEC competitions count them as 0 (J. J. Liang et al., Technical
-Report 201311, Zhengzhou University, 2013). The floor in the ratio is our choice: it keeps it finite,
-and calls no method biased for ending at 1e-40 where it ended at 1e-80."""
+"""Errors below this count as this; the CEC competitions count them as 0 (J. J. Liang et al.,
+Technical Report 201311, Zhengzhou University, 2013). The floor in the ratio is our choice: it keeps
+it finite, and calls no method biased for ending at 1e-40 where it ended at 1e-80."""
 RESAMPLES = 1000  # tables of paired runs; their 2.5 % tail then holds 25 of them
 LEVEL = 0.95
 

@@ -1,7 +1,6 @@
 """The view of the robot in a real browser: it draws, and obeys mouse, finger and keyboard."""
 
 import io
-import os
 from collections.abc import Callable, Iterator
 from itertools import pairwise
 from typing import Any
@@ -16,17 +15,10 @@ from repro.report.pages import write_report
 from repro.store import Store
 from tests.small_arms import SHOWING_AN_ARM
 
-sync_api = pytest.importorskip("playwright.sync_api")
-
-QUIET = (
-    *("--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking"),
-    *("--disable-component-update", "--disable-sync"),
-)
 SOFTWARE_WEBGL = ("--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")
 NO_WEBGL = ("--disable-gpu", "--disable-3d-apis")
 SHADES = 50  # of lit links and smooth edges at least; a blank canvas has one
 END = 10.0  # s: the longer of the two motions of the arm
-pytestmark = pytest.mark.browser
 
 Open = Callable[..., Any]
 
@@ -41,22 +33,18 @@ def address(tmp_path_factory: pytest.TempPathFactory) -> str:
 
 
 @pytest.fixture(scope="module")
-def chromium() -> Iterator[Callable[..., Any]]:
+def chromium(launch: Callable[..., Any]) -> Iterator[Callable[..., Any]]:
     """Return what starts a browser with WebGL, or without."""
-    path = os.environ.get("REPRO_BROWSER") or "/usr/bin/chromium"
     started: dict[tuple[str, ...], Any] = {}
-    with sync_api.sync_playwright() as driver:
 
-        def start(*options: str) -> Any:  # noqa: ANN401 (playwright is no dependency of mypy's)
-            if options not in started:
-                started[options] = driver.chromium.launch(
-                    executable_path=path, args=[*QUIET, *options]
-                )
-            return started[options]
+    def start(*options: str) -> Any:  # noqa: ANN401 (playwright is no dependency of mypy's)
+        if options not in started:
+            started[options] = launch(*options)
+        return started[options]
 
-        yield start
-        for browser in started.values():
-            browser.close()
+    yield start
+    for browser in started.values():
+        browser.close()
 
 
 @pytest.fixture

@@ -1,0 +1,108 @@
+"""A Chromium for the tests, and the pages that it looks at."""
+
+import importlib
+import os
+import shutil
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NoReturn
+
+import pytest
+
+from tests.browser.made_pages import make_pages
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser, Page
+
+QUIET = (
+    *("--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking"),
+    *("--disable-component-update", "--disable-sync"),
+)
+KNOWN = ("chromium", "chromium-browser", "google-chrome")
+OWN = ("file:", "data:", "about:")
+
+
+@dataclass(frozen=True, slots=True)
+class Visit:
+    """An open page with what it complained of and what it asked the network for."""
+
+    page: "Page"
+    complaints: list[str] = field(default_factory=list)
+    requests: list[str] = field(default_factory=list)
+
+
+Open = Callable[..., Visit]
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Mark every test of this folder, so that a session without a browser can leave it out."""
+    for item in items:
+        if Path(__file__).parent in item.path.parents:
+            item.add_marker("browser")
+
+
+@pytest.fixture(scope="session")
+def launch() -> "Iterator[Callable[..., Browser]]":
+    """Yield what starts REPRO_BROWSER or a Chromium on the path, with options of its own.
+
+    Without one, or without playwright, fail in CI and skip elsewhere.
+    """
+    names = filter(None, (os.environ.get("REPRO_BROWSER"), *KNOWN))
+    executable = next(filter(None, map(shutil.which, names)), None)
+    playwright = of_extra("playwright.sync_api").sync_playwright
+    if executable is None:
+        _missing("a Chromium: install one, or name it in REPRO_BROWSER")
+    with playwright() as driver:
+        yield lambda *options: driver.chromium.launch(
+            executable_path=executable, args=[*QUIET, *options]
+        )
+
+
+@pytest.fixture(scope="session")
+def chromium(launch: "Callable[..., Browser]") -> "Iterator[Browser]":
+    """Yield a browser that draws without the graphics card."""
+    browser = launch("--disable-gpu")
+    yield browser
+    browser.close()
+
+
+def of_extra(name: str) -> Any:  # noqa: ANN401 (a module)
+    """Return a module that comes with the extra `browser`."""
+    try:
+        return importlib.import_module(name)
+    except ImportError:
+        _missing(f"{name}: pip install '.[browser]'")
+
+
+def _missing(what: str) -> NoReturn:
+    message = f"the tests of the pages need {what}"
+    if os.environ.get("CI"):
+        pytest.fail(message)
+    pytest.skip(message)
+
+
+@pytest.fixture(scope="session")
+def reports(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return the folder of pages."""
+    return make_pages(tmp_path_factory.mktemp("pages"))
+
+
+@pytest.fixture
+def visit(chromium: "Browser", reports: Path) -> Iterator[Open]:
+    """Yield what opens a page by its address in the folder; options are a browser context's."""
+    contexts = []
+
+    def opened(address: str, *, width: int = 1280, **options: Any) -> Visit:  # noqa: ANN401
+        context = chromium.new_context(viewport={"width": width, "height": 900}, **options)
+        contexts.append(context)
+        one = Visit(context.new_page())
+        one.page.on("console", lambda message: one.complaints.append(message.text))
+        one.page.on("pageerror", lambda error: one.complaints.append(str(error)))
+        one.page.on("request", lambda request: one.requests.append(request.url))
+        one.page.goto(f"{reports.as_uri()}/{address}")
+        return one
+
+    yield opened
+    for context in contexts:
+        context.close()

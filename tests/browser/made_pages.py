@@ -1,0 +1,83 @@
+"""The reports folder that the browser looks at: every paper, by a protocol of a few runs."""
+
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+from pathlib import Path
+
+from repro.__main__ import all_papers
+from repro.claims import every_cell, lowest_everywhere
+from repro.model import Experiment, Paper
+from repro.plan import plan
+from repro.report.pages import write_report
+from repro.session import run_missing
+from repro.store import Store
+from repro.verdict import Percent
+from tests.doe2021 import COSTS, MOTION, TEST
+from tests.doe2021 import PAPER as DOE
+from tests.made_up import ENVIRONMENT
+
+POPULATION = 8  # the least that most of the papers' algorithms take
+DUNG_BEETLES = 20  # the least for DBO, which parts its population in four
+INJECTION = '<img src=x onerror="document.title=1">'
+CLAIM = f"a claim's</script><script>document.title=2</script>{INJECTION}"
+
+
+def small(paper: Paper) -> Paper:
+    """Return the paper with its tables and claims as they are, and runs that take seconds."""
+    return replace(paper, experiments=tuple(map(_small, paper.experiments)))
+
+
+def _small(experiment: Experiment) -> Experiment:
+    least = DUNG_BEETLES if "DBO" in experiment.algorithms else POPULATION
+    return replace(experiment, runs=min(experiment.runs, 2), population=least)
+
+
+def hostile() -> Paper:
+    """Return a paper whose title, claims and an algorithm's name try to become markup."""
+    test = replace(
+        TEST, algorithms={"WOA": TEST.algorithms["WOA"], INJECTION: TEST.algorithms["PSO"]}
+    )
+    costs = replace(COSTS, columns=(COSTS.columns[0], replace(COSTS.columns[1], name=INJECTION)))
+    return replace(
+        DOE,
+        key="hostile",
+        source=replace(DOE.source, title=f"</title>{CLAIM}", authors=CLAIM),
+        summary=CLAIM,
+        experiments=(test, MOTION),
+        results=(costs,),
+        claims=(
+            *every_cell(
+                costs,
+                of=test,
+                rows=("problem", "statistic"),
+                columns="algorithm",
+                names={"Best": "best", "Mean": "mean"},
+                within=Percent(20),
+            ),
+            *lowest_everywhere(
+                test, algorithm=INJECTION, statistic="mean", claim=CLAIM, where=CLAIM
+            ),
+        ),
+    )
+
+
+def make_pages(folder: Path) -> Path:
+    """Run every paper's small protocol and write its pages; return the reports folder.
+
+    The first paper is run twice over, which is what other readings of it need.
+    """
+    first, *others = map(small, all_papers().values())
+    invented = (DOE, hostile())
+    papers = (first, *others, *invented)
+    tasks = (*plan([first], 2), *plan(others, 1), *plan(invented, 2))
+    with Store(folder / "store") as store, ThreadPoolExecutor(2) as executor:
+        run_missing(
+            store,
+            tasks,
+            executor=executor,
+            workers=2,
+            environment=lambda: ENVIRONMENT,
+            report=lambda *_: None,
+        )
+        write_report(store, papers, tasks, folder / "reports", papers)
+    return folder / "reports"

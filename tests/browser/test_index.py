@@ -1,0 +1,74 @@
+"""The index: what it counts and what its search box finds."""
+
+import re
+
+from repro.__main__ import all_papers
+from tests.browser.conftest import Open
+
+
+def test_the_index_counts_every_paper_by_verdict(visit: Open) -> None:
+    table = visit("index.html").page.locator("table").first
+
+    headings = [
+        re.sub(r"[^a-z ]", "", text).strip() for text in table.locator("thead th").all_inner_texts()
+    ]
+    assert headings == [
+        "paper", "printed numbers and claims", "reproduced", "contradicted", "undecided",
+        "not reproducible", "impossible", "repeats",
+    ]  # fmt: skip
+    for row in table.locator("tbody tr").all():
+        total, *parts = map(int, row.locator("td").all_inner_texts())
+        assert sum(parts[:4]) == total
+    assert table.locator("tbody tr").count() >= len(all_papers())
+
+
+def test_searching_leads_to_the_cell(visit: Open) -> None:
+    page = visit("index.html").page
+    box = page.get_by_role("searchbox", name="Find a paper, table, cell or claim")
+
+    box.press_sequentially("liang2026 f1 mean iwoa table")
+    page.locator("#search li a", has_text="Table II, F1 Mean, IWOA: 0").click()
+
+    page.wait_for_url("**/liang2026.html#table-ii-f1-mean-iwoa")
+    page.locator("#table-ii-f1-mean-iwoa .panel").wait_for(state="visible")
+
+
+def test_searching_finds_papers_claims_and_verdicts(visit: Open) -> None:
+    page = visit("index.html").page
+    box = page.get_by_role("searchbox")
+    status, first = page.locator("#search [role=status]"), page.locator("#search li").first
+
+    box.fill("slime mould")
+    assert "smwoa2022" in first.inner_text()
+    box.fill("doe2021 simulator")
+    assert "∅ not reproducible" in first.inner_text()
+    box.fill("contradicted")
+    assert re.fullmatch(r"\d{3} found, the first 40 shown", status.inner_text())
+    box.fill("no such thing anywhere")
+    assert status.inner_text() == "0 found"
+    box.fill("")
+    assert status.inner_text() == ""
+    assert page.locator("#search li").count() == 0
+
+
+def test_the_search_works_by_keyboard_alone(visit: Open) -> None:
+    page = visit("index.html").page
+
+    page.keyboard.press("Tab")
+    page.keyboard.type("doe2021 f1 best pso")
+    page.keyboard.press("Tab")
+    page.keyboard.press("Enter")
+
+    page.wait_for_url(re.compile("doe2021.html#table-2-f1-best-pso$"))
+
+
+def test_the_counts_of_a_paper_lead_to_its_numbers_of_that_verdict(visit: Open) -> None:
+    page = visit("index.html").page
+
+    page.locator("#doe2021 ~ ul.counts").first.get_by_role(
+        "link", name=re.compile("undecided")
+    ).click()
+    page.wait_for_load_state()
+
+    assert page.locator("[data-verdict] .verdict:visible").count() == 1
+    assert page.locator('[data-verdict="undecided"] .verdict').is_visible()

@@ -1,0 +1,258 @@
+"""The tables and claims of a page: evidence, filter, order, compact view and links."""
+
+import re
+
+import pytest
+
+from tests.browser.conftest import Open
+
+PAGE = "doe2021.html"
+CELL = "table-2-f1-mean-pso"
+SHOWN = ".panel:visible"
+
+
+def test_the_pointer_opens_the_evidence_of_a_number_and_leaving_closes_it(visit: Open) -> None:
+    page = visit(PAGE).page
+    cell = page.locator(f"#{CELL}")
+
+    cell.locator("summary").hover()
+    panel = cell.locator(".panel")
+    panel.wait_for(state="visible")
+    text = panel.inner_text()
+    page.mouse.move(5, 5)
+    panel.wait_for(state="hidden")
+
+    for said in (
+        "Table 2 · F1 Mean · PSO",
+        "✖ contradicted (higher)",
+        "printed\n1.2×10",
+        "accepted",
+        "central 95 % of 2000 tables from 2 repeats",
+        "of the 2000 re-run tables",
+        "⚑ impossible",
+        "no number of runs allows that",
+        "doe2021-table-2.csv, line 5",
+        f"nox -s again -- doe2021 {CELL}",
+        f"#{CELL}",
+    ):
+        assert said in text
+
+
+def test_the_pointer_can_move_into_the_panel_to_its_links(visit: Open) -> None:
+    page = visit(PAGE).page
+    cell = page.locator(f"#{CELL}")
+    cell.locator("summary").hover()
+    link = cell.locator(".panel a", has_text=f"#{CELL}")
+    link.wait_for(state="visible")
+
+    link.click()
+
+    assert page.url.endswith(f"#{CELL}")
+    assert cell.locator(".panel").is_visible()
+
+
+def test_a_click_keeps_the_panel_until_the_next_click(visit: Open) -> None:
+    page = visit(PAGE).page
+    cell = page.locator(f"#{CELL}")
+
+    cell.locator("summary").click()
+    page.mouse.move(5, 5)
+    page.wait_for_timeout(400)
+    assert cell.locator(".panel").is_visible()
+
+    cell.locator("summary").click()
+    assert page.locator(SHOWN).count() == 0
+
+
+def test_the_tab_key_opens_the_evidence_and_escape_closes_it(visit: Open) -> None:
+    page = visit(PAGE).page
+    first = page.locator("td.cell").first
+    page.locator("#table-2 + .wrap button.sort").last.focus()
+
+    page.keyboard.press("Tab")
+    assert first.locator(".panel").is_visible()
+
+    page.keyboard.press("Tab")  # to the first link in the panel
+    assert first.locator(".panel a").first.evaluate("link => link === document.activeElement")
+    page.keyboard.press("Escape")
+    assert page.locator(SHOWN).count() == 0
+    assert first.locator("summary").evaluate("summary => summary === document.activeElement")
+
+
+def test_the_tab_key_moves_on_from_one_number_to_the_next(visit: Open) -> None:
+    page = visit(PAGE).page
+    cells = page.locator("td.cell")
+    links = cells.first.locator(".panel a").count()
+    cells.first.locator("summary").focus()
+
+    for _ in range(links + 1):
+        page.keyboard.press("Tab")
+
+    assert cells.nth(1).locator(".panel").is_visible()
+    assert page.locator(SHOWN).count() == 1
+
+
+def test_the_panel_stays_inside_the_window(visit: Open) -> None:
+    for width in (360, 1280):
+        page = visit("liang2026.html", width=width).page
+        page.locator("td.cell summary").last.click()
+        box = page.locator("td.cell .panel").last.bounding_box()
+        assert box is not None
+        assert box["x"] >= 0
+        assert box["x"] + box["width"] <= width
+        assert box["y"] >= 0
+        assert box["y"] + box["height"] <= 900
+
+
+def test_a_claim_has_its_evidence_and_its_link_as_a_cell_has(visit: Open) -> None:
+    page = visit(f"{PAGE}#claim-woa-is-best-on-f1").page
+    claim = page.locator("#claim-woa-is-best-on-f1")
+
+    assert claim.locator(".panel").is_visible()
+    assert "nox -s again -- doe2021 claim-woa-is-best-on-f1" in claim.locator(".panel").inner_text()
+    assert claim.evaluate("row => getComputedStyle(row).outlineStyle") == "solid"
+
+
+def test_a_link_to_a_cell_shows_it_marked_and_with_its_evidence(visit: Open) -> None:
+    page = visit(f"{PAGE}#{CELL}").page
+    cell = page.locator(f"#{CELL}")
+
+    assert cell.locator(".panel").is_visible()
+    assert cell.evaluate("cell => getComputedStyle(cell).outlineStyle") == "solid"
+    assert cell.evaluate("cell => Math.abs(cell.getBoundingClientRect().top)") < 900
+
+
+def test_the_filter_leaves_only_the_verdicts_that_are_ticked(visit: Open) -> None:
+    page = visit(PAGE).page
+
+    page.get_by_label(re.compile(r"✖ contradicted \(\d+\)")).uncheck()
+
+    left = page.locator("[data-verdict]:visible .printed:visible").count()
+    assert left == page.locator('td.cell:not([data-verdict="contradicted"])').count() == 1
+    assert page.locator('tr[data-verdict="contradicted"]:visible').count() == 0
+    assert "4 of 9" in page.locator("#shown-count").inner_text()
+
+
+def test_the_filter_works_by_keyboard_and_show_all_takes_it_back(visit: Open) -> None:
+    page = visit(PAGE).page
+    box = page.get_by_label(re.compile("✔ reproduced"))
+    box.focus()
+
+    page.keyboard.press("Space")
+    assert page.locator('[data-verdict="reproduced"] .verdict:visible').count() == 0
+
+    page.get_by_role("button", name="Show all").focus()
+    page.keyboard.press("Enter")
+    assert page.locator('[data-verdict="reproduced"] .verdict:visible').count() == 2
+    assert box.is_checked()
+
+
+def test_only_what_the_audit_marks_can_be_shown(visit: Open) -> None:
+    page = visit(PAGE).page
+
+    page.get_by_label("only with ⚑").check()
+
+    assert page.locator("td.cell .printed:visible").count() == 2
+    assert page.locator("td.cell a.mark:visible").count() == 2
+
+
+def test_a_row_whose_every_number_is_filtered_away_goes_too(visit: Open) -> None:
+    page = visit(PAGE).page
+
+    page.locator("ul.counts a", has_text="reproduced").first.click()
+
+    assert page.locator("#table-2 + .wrap tbody tr:visible").count() == 0
+    assert page.locator("#table-3 + .wrap tbody tr:visible").count() == 1
+
+
+def test_a_link_to_a_number_that_is_filtered_away_shows_everything_again(visit: Open) -> None:
+    page = visit(PAGE).page
+    page.locator("ul.counts a", has_text="reproduced").first.click()
+    assert not page.locator(f"#{CELL} .printed").is_visible()
+
+    page.evaluate(f"location.hash = '{CELL}'")
+
+    page.locator(f"#{CELL} .panel").wait_for(state="visible")
+    assert page.locator(f"#{CELL} .printed").is_visible()
+
+
+def test_a_heading_sorts_up_then_down_then_as_printed(visit: Open) -> None:
+    page = visit(PAGE).page
+    column = page.locator("#table-2 + .wrap th", has_text="PSO")
+    printed = page.locator("#table-2 + .wrap td:last-child .printed")
+
+    orders = [printed.all_inner_texts()]
+    for _ in range(3):
+        column.get_by_role("button").click()
+        orders.append([*printed.all_inner_texts(), str(column.get_attribute("aria-sort"))])
+
+    best, mean = orders[0]
+    assert orders[1] == [mean, best, "ascending"]
+    assert orders[2] == [best, mean, "descending"]
+    assert orders[3] == [best, mean, "None"]
+
+
+def test_a_heading_sorts_by_keyboard(visit: Open) -> None:
+    page = visit("smwoa2022.html").page
+    button = page.locator("#audit ~ .wrap").first.get_by_role("button", name="grade")
+    button.focus()
+
+    page.keyboard.press("Enter")
+
+    grades = page.locator("tr[id^=audit-] td:first-child").all_inner_texts()
+    assert grades == sorted(grades)
+    assert len(set(grades)) == 3
+
+
+def test_rows_can_be_put_in_the_order_of_contradictions(visit: Open) -> None:
+    page = visit("liang2026.html").page
+
+    page.get_by_label("Rows").select_option("contradicted")
+
+    counts = page.locator("#table-ii + .wrap tbody tr").evaluate_all(
+        "rows => rows.map(row => row.querySelectorAll('.cell.contradicted').length)"
+    )
+    assert counts == sorted(counts, reverse=True)
+    assert len(set(counts)) > 1
+
+
+def test_the_compact_view_shows_what_is_printed_with_marks_only(visit: Open) -> None:
+    page = visit(PAGE).page
+    before = page.locator("#table-2 + .wrap table").bounding_box()
+
+    page.get_by_label("Compact, as on the page").check()
+
+    cell = page.locator(f"#{CELL}")
+    after = page.locator("#table-2 + .wrap table").bounding_box()
+    assert cell.locator(".printed").is_visible()
+    assert not cell.locator(".again").is_visible()
+    assert cell.locator(".verdict").inner_text().startswith("✖")
+    assert before is not None
+    assert after is not None
+    assert after["height"] < 0.6 * before["height"]
+
+
+def test_the_compact_view_still_tells_a_screen_reader_the_verdict(visit: Open) -> None:
+    page = visit(PAGE).page
+    page.get_by_label("Compact, as on the page").check()
+
+    tree = page.locator(f"#{CELL}").aria_snapshot()
+
+    assert "contradicted" in tree
+    assert "impossible" in tree
+
+
+@pytest.mark.parametrize("page", ["hostile.html", "index.html"])
+def test_hostile_names_claims_and_titles_stay_text(visit: Open, page: str) -> None:
+    one = visit(page)
+    if page == "index.html":
+        one.page.get_by_role("searchbox").fill("onerror")
+        one.page.locator("#search li").first.wait_for()
+    else:
+        one.page.locator("td.cell summary").last.click()
+
+    assert one.complaints == []
+    assert len(one.requests) == 1
+    assert one.page.locator("img").count() == 0
+    assert one.page.title() not in {"1", "2"}
+    assert '<img src=x onerror="document.title=1">' in one.page.locator("main").inner_text()

@@ -1,0 +1,77 @@
+"""Four questions that a reader who knows no code answers from the pages, by clicks."""
+
+import re
+import shlex
+
+import pytest
+
+from repro.__main__ import main
+from tests.browser.conftest import Open
+from tests.doe2021 import PAPER
+
+IMPOSSIBLE = "table-3-pso-mean"
+
+
+def test_which_printed_numbers_of_this_paper_hold(visit: Open) -> None:
+    page = visit("index.html").page
+
+    page.get_by_role("link", name="doe2021", exact=True).click()
+    summary = page.locator("#summary")
+    held = summary.locator("dd").nth(1)
+    assert (
+        "2 of 9 printed numbers and claims: 1 of 2 in Table 3, 1 of 3 claims" in held.inner_text()
+    )
+    page.get_by_role("link", name=re.compile("2 ✔ reproduced")).click()
+
+    numbers = page.locator("td.cell .printed:visible").all_inner_texts()
+    claims = page.locator("tr[data-verdict]:visible .claim").all_inner_texts()
+    assert numbers == ["2.357"]
+    assert claims == ["WOA needs 2.36 s | at most"]
+
+
+def test_why_this_cell_is_called_impossible(visit: Open) -> None:
+    page = visit("doe2021.html").page
+    cell = page.locator(f"#{IMPOSSIBLE}")
+
+    cell.get_by_role("link", name="⚑ impossible").click()
+
+    row = page.locator("tr:target")
+    assert row.locator("td").first.inner_text() == "impossible"
+    arithmetic = row.locator("td").last.inner_text()
+    assert "printed is 2.1 s" in arithmetic
+    assert "the least time under the printed limits is 2.3562" in arithmetic
+    page.go_back()
+    cell.locator("summary").hover()
+    cell.locator(".panel").wait_for(state="visible")
+    assert arithmetic in cell.locator(".panel").inner_text()
+
+
+def test_how_far_from_the_optimum_the_printed_time_is(visit: Open) -> None:
+    page = visit("doe2021.html").page
+
+    page.get_by_role("link", name="certified optimum").click()
+
+    place = page.locator("#optimum")
+    assert place.evaluate("heading => heading.getBoundingClientRect().top") < 100
+    row = page.locator("tr", has_text="printed: Table 3, WOA")
+    time, ratio = row.locator("td").all_inner_texts()[1:]
+    assert float(time) == 2.357
+    assert float(ratio) == pytest.approx(2.357 / 2.3562, abs=1e-4)
+    assert "2.3562 s" in page.locator("main").inner_text()
+
+
+def test_what_i_must_type_to_see_this_number_again(
+    visit: Open, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    page = visit("doe2021.html").page
+    cell = page.locator("#table-2-f1-mean-woa")
+    cell.locator("summary").click()
+    typed = cell.locator(".panel code").inner_text()
+    shown = cell.locator(".again").inner_text()
+
+    nox, _, session, _, *arguments = shlex.split(typed)
+    monkeypatch.setattr("repro.__main__.all_papers", lambda: {"doe2021": PAPER})
+    code = main([session, *arguments])
+
+    assert (nox, session, code) == ("nox", "again", 0)
+    assert f"re-run    {shown} " in capsys.readouterr().out
