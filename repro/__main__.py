@@ -24,6 +24,7 @@ INTERRUPTED = 130
 TERMINATED = 143
 SOME_RUN_FAILED = 1
 DEFAULT_REPEATS = 10
+PRIVATE = "reports-private"
 PAGES = "repro.report.pages"  # takes seconds to load, with all that draws
 _AGAIN = (
     "Run what one printed number needs, once, and say what comes out: the number that its page "
@@ -67,6 +68,7 @@ def _parser() -> argparse.ArgumentParser:
         command.add_argument("--store", type=Path, default=Path(".repro"), metavar="DIR")
     for command in (reproduce, report):
         command.add_argument("--reports", type=Path, default=Path("reports"), metavar="DIR")
+    _compare_command(commands)
     audit = _command(commands, _audit, "audit", "what the printed tables say about themselves")
     certificates = _command(commands, _certify, "certify", "proved minima of the motion problems")
     references = _command(commands, _references, "references", "what other planners say of them")
@@ -103,6 +105,21 @@ def _command(
         parser.add_argument("keys", nargs="*", metavar="KEY", help="papers (default: all)")
     parser.set_defaults(command=run)
     return parser
+
+
+def _compare_command(
+    commands: "argparse._SubParsersAction[argparse.ArgumentParser]",
+) -> None:
+    text = "run a search of your own on every problem and write a private report"
+    parser = commands.add_parser("compare", help=text, description=text)
+    parser.add_argument("search", metavar="MODULE:OBJECT", help="an optimiser, or a callable")
+    parser.add_argument("keys", nargs="*", metavar="KEY", help="papers (default: all)")
+    parser.add_argument("--name", help="what the pages call it (default: OBJECT)")
+    parser.add_argument("--repeats", type=int, default=1, help="how often each protocol runs")
+    parser.add_argument("--workers", type=int, help="workers on this machine (default: cores)")
+    parser.add_argument("--store", type=Path, default=Path(".repro"), metavar="DIR")
+    parser.add_argument("--reports", type=Path, default=Path(PRIVATE), metavar="DIR")
+    parser.set_defaults(command=_compare)
 
 
 def all_papers() -> dict[str, Paper]:
@@ -160,6 +177,27 @@ def _reproduce(options: argparse.Namespace) -> int:
 def _written(options: argparse.Namespace, code: int = 0) -> int:
     sys.stdout.write(f"pages: {options.reports / 'index.html'}\n")
     return code
+
+
+def _compare(options: argparse.Namespace) -> int:
+    from repro.compare import compare  # noqa: PLC0415 (slow imports late)
+    from repro.executors import checked_workers  # noqa: PLC0415
+    from repro.progress import Progress  # noqa: PLC0415
+
+    compared = compare(
+        options.search,
+        _chosen(options.keys),
+        name=options.name,
+        repeats=options.repeats,
+        store=options.store,
+        folder=options.reports,
+        workers=checked_workers(options.workers),
+        report=Progress(),
+    )
+    for record in compared.failed:
+        sys.stderr.write(f"repro: run {record.task.name} failed: {record.reason}\n")
+    sys.stdout.write(f"page: {compared.page}\n")
+    return SOME_RUN_FAILED if compared.failed else 0
 
 
 def _run(store: "Store", tasks: Sequence["Task"], options: argparse.Namespace) -> list["Record"]:

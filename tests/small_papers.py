@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from repro.claims import every_cell
+from repro.compiled import jit
 from repro.evidence import Evidence, Runs
 from repro.model import Experiment, Paper, Source
 from repro.optimisers.search import Budget, Optimiser, Problem, Result
@@ -16,9 +17,12 @@ from repro.verdict import Percent
 Vector = NDArray[np.float64]
 
 
-def bowl(x: Vector, data: Vector) -> float:
+def _bowl(x: Vector, data: Vector) -> float:
     """Return the squared distance from the centre."""
     return float(((x - data) ** 2).sum())
+
+
+bowl = jit(_bowl)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

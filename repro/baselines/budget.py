@@ -37,9 +37,9 @@ class CountedCost:
     def __init__(self, problem: Problem, *, population: int, iterations: int) -> None:
         """Prepare for `population` times `iterations` evaluations; InputError for bad bounds."""
         box = _checked_bounds(problem)
-        self._free = box[:, 0] < box[:, 1]
-        self._held = None if self._free.all() else box[:, 0]
-        self.bounds = box[self._free]
+        self.free = box[:, 0] < box[:, 1]
+        self._held = None if self.free.all() else box[:, 0]
+        self.bounds = box[self.free]
         self._lower, self._upper = np.ascontiguousarray(self.bounds.T)
         self._cost = ready(problem.kernel, COST)
         self._data = np.ascontiguousarray(problem.data, dtype=np.float64)
@@ -60,7 +60,7 @@ class CountedCost:
         point = np.minimum(np.maximum(x, self._lower), self._upper)
         if self._held is not None:
             whole = self._held.copy()
-            whole[self._free] = point
+            whole[self.free] = point
             point = whole
         value = float(self._cost(point, self._data))
         self._spent += 1

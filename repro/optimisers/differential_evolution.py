@@ -95,7 +95,11 @@ class DE:
             _de,
             problem,
             parameters=(*self.scale, self.crossover),
-            spending=lambda population: Spending(start=population, each=population),
+            spending=self.spending,
             least=_LEAST,
             **budget,
         )
+
+    def spending(self, population: int) -> Spending:
+        """Return what the search spends with so many agents."""
+        return Spending(start=population, each=population)

@@ -101,6 +101,10 @@ class SteadyStateGA:
             _steady_state,
             problem,
             parameters=(self.crossover, self.mutation, get_args(Mixing).index(self.mixing)),
-            spending=lambda population: Spending(start=population, each=population),
+            spending=self.spending,
             **budget,
         )
+
+    def spending(self, population: int) -> Spending:
+        """Return the most that the search spends with so many agents."""
+        return Spending(start=population, each=population)

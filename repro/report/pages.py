@@ -17,6 +17,7 @@ from repro.optimum import found_times, time_rows
 from repro.plan import Task
 from repro.readings import fingerprints, reached, varied_evidence
 from repro.report.arm_viewer import viewer
+from repro.report.baselines_view import baselines_view
 from repro.report.drawing import Drawing, draw
 from repro.report.files import csv_text, usable_folder, write_file
 from repro.report.formulas import dollars, equation_links, formula_anchor, mathml, powers_of_ten
@@ -110,13 +111,14 @@ def _paper_files(
             for certificate in certificates
         ],
         "readings": readings_view(paper, findings, varied, fingerprints(evidence, varied)),
+        "standings": baselines_view(paper, evidence.runs, certificates),
         "drawings": drawings,
         "level": LEVEL,
         "resampled_tables": TABLES,
         "provenance": provenance,
     }
-    files[f"{paper.key}.html"] = _render("paper.html", context)
-    files[f"{paper.key}.md"] = _render("paper.md", context)
+    files[f"{paper.key}.html"] = render("paper.html", context)
+    files[f"{paper.key}.md"] = render("paper.md", context)
     files |= _tables(paper, found, drawings) | runs.files(paper.key)
     return entry
 
@@ -131,7 +133,7 @@ def index_files(results: Json) -> Files:
         "verdicts": [v for v in Verdict if v != Verdict.NOT_RUN or not_run],
         "search_rows": search_rows(papers),
     }
-    return {name: _render(name, context) for name in ("index.html", "index.md", "verdicts.md")}
+    return {name: render(name, context) for name in ("index.html", "index.md", "verdicts.md")}
 
 
 @cache
@@ -162,7 +164,8 @@ def _templates() -> Environment:
     return environment
 
 
-def _render(name: str, context: Mapping[str, object]) -> str:
+def render(name: str, context: Mapping[str, object]) -> str:
+    """Return a page made of a template and what it shows."""
     return _templates().get_template(f"{name}.jinja").render(context)
 
 

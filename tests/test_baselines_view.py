@@ -1,0 +1,39 @@
+from dataclasses import replace
+
+import pytest
+
+from repro.evidence import Cell, Runs
+from repro.report.baselines_view import baselines_view, standings_view
+from repro.standings import ProblemStandings, standings
+from tests.small_papers import PAPER
+from tests.test_standings import EXPERIMENT, every_run
+
+
+def test_view_has_a_row_per_problem_and_a_column_per_algorithm() -> None:
+    found = every_run()
+    view = standings_view(EXPERIMENT, found, standings(EXPERIMENT, found))
+
+    assert view.headings[2:] == ("WOA", "DE", "DE, equal evaluations", "random search")
+    assert view.rows[1][2] == "4 (median 3); rank 1"  # 4 away from 0
+    assert view.rows[0][2].endswith("3.60 away; rank 1")
+    assert view.summary[1] == ("DE", "printed protocol", "3", "210", "0.25 s", "–")
+    assert view.budgets[1] == ("DE", "210", "1.00", "200", "2.00")
+
+
+@pytest.mark.parametrize(("found", "shown"), [({}, 0), (every_run(), 1)], ids=["none", "all"])
+def test_pages_show_experiments_beside_which_more_was_run(
+    found: dict[Cell, Runs], shown: int
+) -> None:
+    paper = replace(PAPER, experiments=(EXPERIMENT,), results=(), claims=())
+
+    assert len(baselines_view(paper, found, ())) == shown
+
+
+def test_problem_without_runs_has_no_cell_in_the_view() -> None:
+    found = every_run()
+    del found["search", "hump", "WOA"]
+    problems: tuple[ProblemStandings, ...] = standings(EXPERIMENT, found)
+
+    view = standings_view(EXPERIMENT, found, problems)
+
+    assert view.rows[0][view.headings.index("WOA")] == "–"
