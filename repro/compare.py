@@ -19,9 +19,7 @@ from repro.report.words import anchor
 from repro.run import Record
 from repro.session import gather, run_missing
 from repro.store import Store
-from repro.studies import studies
-
-WITH_STUDIES = 2  # repeats from which a protocol's runs come with those of the baselines
+from repro.studies import PER_STUDY, studies
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -88,7 +86,7 @@ def entered(paper: Paper, name: str, found: Entrant) -> Paper:
 def _comparisons(
     store: Store, paper: Paper, own: Paper, tasks: Iterable[Task], name: str
 ) -> tuple[Comparison, ...]:
-    published = gather(store, paper, plan([paper], WITH_STUDIES), studies(paper, WITH_STUDIES))
+    published = gather(store, paper, plan([paper], PER_STUDY), studies(paper, PER_STUDY))
     runs = {**published.runs, **gather(store, own, tasks).runs}
     certificates = certify(paper)
     return tuple(

@@ -1,8 +1,13 @@
-"""What is run besides the papers' protocols: other readings of them, and optima moved aside."""
+"""What is run besides the papers' protocols.
+
+Other readings of them, optima moved aside, baselines, and equal budgets.
+"""
 
 from dataclasses import dataclass, replace
 from typing import Literal
 
+from repro.baselines.study import BASELINE_STUDY, with_baselines
+from repro.equal_budget import EQUAL_EVALUATIONS, at_equal_evaluations
 from repro.model import Experiment, Paper
 from repro.optimisers.random_search import RandomSearch
 from repro.shifts import IN_PLACE, SHARES, centred, shift_name, shifted
@@ -29,12 +34,14 @@ class Study:
 def studies(paper: Paper, repeats: int) -> tuple[Study, ...]:
     """Return what is run besides the protocol when that is repeated `repeats` times.
 
-    A single repeat is a quick look, for which nothing else is run.
+    A single repeat is a quick look, for which nothing else is run; baselines and equal budgets are
+    not run before the protocol is repeated ten times.
     """
     if repeats < 2:
         return ()
     times = max(1, repeats // PER_STUDY)
-    return (*_readings(paper, times), *_shifts(paper, times))
+    besides = _fair(paper) if repeats >= PER_STUDY else ()
+    return (*_readings(paper, times), *_shifts(paper, times), *besides)
 
 
 def study_name(experiment: str, departs: str) -> str:
@@ -75,3 +82,17 @@ def _shifts(paper: Paper, repeats: int) -> tuple[Study, ...]:
         if centred(experiment)
         for share in (IN_PLACE, *SHARES)
     )
+
+
+def _fair(paper: Paper) -> tuple[Study, ...]:
+    """Return the algorithms at equal evaluations, then the baselines, of every experiment."""
+    equal = [(e, at_equal_evaluations(e)) for e in paper.experiments]
+    return (
+        *(_departing(e, "equal budget", EQUAL_EVALUATIONS, again) for e, again in equal if again),
+        *(_departing(e, "baseline", BASELINE_STUDY, with_baselines(e)) for e in paper.experiments),
+    )
+
+
+def _departing(of: Experiment, kind: Kind, departs: str, experiment: Experiment) -> Study:
+    named = replace(experiment, name=study_name(of.name, departs))
+    return Study(kind=kind, of=of.name, departs=departs, experiment=named, repeats=1)

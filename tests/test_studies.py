@@ -1,12 +1,15 @@
 from dataclasses import replace
 
 from papers.liang2026 import PAPER as LIANG
+from repro.baselines import BASELINES
+from repro.baselines.study import BASELINE_RUNS
 from repro.model import Alternative, Assumption
 from repro.optimisers.random_search import RandomSearch
 from repro.plan import plan
 from repro.shifts import CONTROL, FLOOR
-from repro.studies import studies, study_name
+from repro.studies import Study, studies, study_name
 from tests.small_papers import PAPER
+from tests.test_equal_budget import PROTOCOL
 
 OPEN = Assumption(
     what="width",
@@ -60,3 +63,28 @@ def test_functions_with_their_optimum_about_the_centre_are_run_with_it_moved_asi
     assert found[2].experiment.name == "benchmark [shift 0.2]"
     assert set(found[0].experiment.algorithms) == {CONTROL, FLOOR}
     assert isinstance(found[2].experiment.algorithms[FLOOR], RandomSearch)
+
+
+def fair(repeats: int) -> dict[str, Study]:
+    paper = replace(PAPER, experiments=(PROTOCOL,), results=(), claims=())
+    return {s.departs: s for s in studies(paper, repeats) if s.kind in ("baseline", "equal budget")}
+
+
+def test_baselines_and_equal_budgets_wait_for_ten_repeats() -> None:
+    assert fair(9) == {}
+    assert {study.repeats for study in fair(20).values()} == {1}
+
+
+def test_every_baseline_runs_a_few_times_on_every_problem() -> None:
+    study = fair(10)["baselines"].experiment
+
+    assert (study.name, study.runs) == ("search [baselines]", BASELINE_RUNS)
+    assert study.algorithms == BASELINES
+    assert study.problems == PROTOCOL.problems
+
+
+def test_algorithms_of_another_budget_run_as_often_as_in_the_protocol() -> None:
+    study = fair(10)["equal evaluations"].experiment
+
+    assert (study.name, set(study.algorithms)) == ("search [equal evaluations]", {"DE", "GA"})
+    assert (study.runs, study.evaluations) == (PROTOCOL.runs, 240)
