@@ -4,6 +4,7 @@
 """What can be done here; `nox -l` lists it."""
 
 import os
+import pathlib
 import shutil
 
 import nox
@@ -24,6 +25,7 @@ LOCKS = {
     "references": ["references", "test"],
     "browser": ["browser", "test"],
 }
+PEERS = ("peers", "mealpy")  # two environments: mealpy wants an older NumPy than others do
 
 
 def _install(session: nox.Session, lock: str) -> None:
@@ -135,9 +137,11 @@ def types(session: nox.Session) -> None:
 
 @nox.session
 def bench(session: nox.Session) -> None:
-    """Measure speed: algorithms, and WOA against the same loop in C."""
+    """Measure speed against other packages and against C; writes benchmarks/RESULTS.md."""
     _install(session, "test")
-    session.run("pytest", "benchmarks", "--benchmark-only", *session.posargs, env=ONE_THREAD)
+    environment = {**ONE_THREAD, "REPRO_PEERS": str(_peers(session))}
+    options = ("--benchmark-only", "--results", "benchmarks/RESULTS.md")
+    session.run("pytest", "benchmarks", *options, *session.posargs, env=environment)
 
 
 @nox.session(venv_backend="none")
@@ -166,6 +170,31 @@ def lock(session: nox.Session) -> None:
             *("--universal", "--python-version", "3.11", "--generate-hashes", "--upgrade"),
             *("--no-annotate", "--no-header", "--quiet", "-o", f"requirements/{name}.lock"),
         )
+    for name in PEERS:
+        session.run(
+            *("uv", "pip", "compile", f"requirements/{name}.in", "--universal"),
+            *("--python-version", "3.11", "--generate-hashes", "--upgrade", "--no-annotate"),
+            *("--no-header", "--quiet", "-o", f"requirements/{name}.lock"),
+        )
+
+
+def _peers(session: nox.Session) -> pathlib.Path:
+    """Return a folder with an environment per lock of the peers; one that fails is left out."""
+    folder = pathlib.Path(session.create_tmp()).resolve()
+    session.install("uv")
+    for name in PEERS:
+        python = folder / name / "bin" / "python"
+        lock = f"requirements/{name}.lock"
+        if not python.exists():
+            ours = str(pathlib.Path(session.bin) / "python")
+            session.run("uv", "venv", "--quiet", "--python", ours, str(folder / name))
+        options = ("--quiet", "--require-hashes", "--python", str(python), "-r", lock)
+        try:
+            session.run("uv", "pip", "install", *options)
+        except nox.command.CommandFailed:
+            session.warn(f"{lock} cannot be installed here; the page says which peers are missing")
+            shutil.rmtree(folder / name)
+    return folder
 
 
 def _chromium(session: nox.Session) -> str:

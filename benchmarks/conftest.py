@@ -1,0 +1,39 @@
+import gc
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from benchmarks.chart import chart
+from benchmarks.results import Results
+
+_RESULTS = pytest.StashKey[Results]()
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--results", type=Path, help="write the page of results to this file")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    config.stash[_RESULTS] = Results()
+
+
+@pytest.fixture(scope="session")
+def results(pytestconfig: pytest.Config) -> Results:
+    return pytestconfig.stash[_RESULTS]
+
+
+@pytest.fixture(autouse=True)
+def _without_garbage_collection() -> Iterator[None]:
+    gc.collect()
+    gc.disable()
+    yield
+    gc.enable()
+
+
+def pytest_sessionfinish(session: pytest.Session) -> None:
+    page, results = session.config.getoption("--results"), session.config.stash[_RESULTS]
+    if page and results.rows:
+        page.write_text(results.text(), encoding="utf-8")
+        if results.curves:
+            page.with_name("cost.svg").write_text(chart(results.curves), encoding="utf-8")

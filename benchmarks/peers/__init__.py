@@ -1,0 +1,1 @@
+"""The peers, each run by a Python of its own environment."""

@@ -1,0 +1,191 @@
+"""What the engine costs besides the loops: planning, storing, judging, pages, whole calls."""
+
+import os
+import subprocess
+import sys
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from functools import partial
+from itertools import islice
+from pathlib import Path
+from statistics import median
+
+import pytest
+from pytest_benchmark.fixture import BenchmarkFixture
+
+from benchmarks.measuring import in_turns, seconds, timed
+from benchmarks.results import Results, Section
+from repro.__main__ import all_papers
+from repro.audit import audit
+from repro.executors import usable_cores
+from repro.findings import judge_paper
+from repro.model import Paper
+from repro.plan import Task, plan
+from repro.provenance import provenance
+from repro.report.pages import write_report
+from repro.run import Record, execute
+from repro.session import gather, run_missing
+from repro.store import Store
+
+ROOT = Path(__file__).parent.parent
+TEN = 10  # the default number of repeats
+SAMPLE = 200  # runs that are stored, or spread over cores
+PAPERS = all_papers()
+
+WHOLE = Section(
+    title="Whole calls",
+    text="Seconds of `repro reproduce --repeats 1` for all papers, as a program of its own. Cold: "
+    "an empty store and nothing compiled, which is paid once per machine. Compiled: an empty "
+    "store. Nothing to do: everything stored, the pages as they were written.",
+    columns=("call", "s"),
+)
+PARTS = Section(
+    title="Parts of the engine",
+    text="Milliseconds.",
+    columns=("part", "how much", "ms"),
+)
+CORES = Section(
+    title="Scaling and overhead",
+    text="The same runs on one and on two workers. Efficiency is the time on one by twice the time "
+    "on two; overhead is what one worker's time holds besides the searches: handing out, storing, "
+    "syncing the disk.",
+    columns=("runs", "1 worker [s]", "2 workers [s]", "efficiency", "overhead on 1 worker"),
+)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("engine")
+
+
+def reproduce(folder: Path, store: str) -> Callable[[], object]:
+    command = (sys.executable, "-m", "repro", "reproduce", "--repeats", "1")
+    places = ("--store", folder / store, "--reports", folder / f"{store} reports")
+    environment = os.environ | {"NUMBA_CACHE_DIR": str(folder / "numba"), "PYTHONPATH": str(ROOT)}
+    return partial(
+        subprocess.run, (*command, *places), env=environment, check=True, capture_output=True
+    )
+
+
+@pytest.mark.parametrize(
+    ("call", "store", "rounds"),
+    [("cold", "first", 1), ("compiled", "second", 1), ("nothing to do", "second", 5)],
+    ids=["cold", "compiled", "nothing to do"],
+)
+def test_reproduce(
+    benchmark: BenchmarkFixture, results: Results, folder: Path, call: str, store: str, rounds: int
+) -> None:
+    taken: list[float] = []
+    call_it = reproduce(folder, store)
+    timed(benchmark, lambda: taken.append(seconds(call_it)), rounds=rounds)
+    results.add(WHOLE, call, f"{median(taken):.1f}")
+
+
+def test_compiling(benchmark: BenchmarkFixture, results: Results, folder: Path) -> None:
+    """One short run of every pair of search and problem, with nothing compiled."""
+    code = (
+        "from dataclasses import replace\n"
+        "from repro.__main__ import all_papers\n"
+        "from repro.plan import plan\n"
+        "from repro.run import execute\n"
+        "tasks = plan(all_papers().values(), 1)\n"
+        "pairs = {(type(t.optimiser), t.subject.kernel): t for t in tasks}\n"
+        "for task in pairs.values():\n"
+        "    execute(replace(task, iterations=1))\n"
+    )
+    environment = os.environ | {"NUMBA_CACHE_DIR": str(folder / "empty"), "PYTHONPATH": str(ROOT)}
+    call = partial(subprocess.run, (sys.executable, "-c", code), env=environment, check=True)
+    taken: list[float] = []
+    timed(benchmark, lambda: taken.append(seconds(call)))
+    results.add(WHOLE, "compiling everything, nothing else", f"{median(taken):.1f}")
+
+
+def test_planning(benchmark: BenchmarkFixture, results: Results) -> None:
+    calls = {count: partial(plan, PAPERS.values(), int(count)) for count in ("1", str(TEN))}
+    taken = in_turns(benchmark, calls, rounds=5)
+    for count in calls:
+        runs = len(plan(PAPERS.values(), int(count)))
+        results.add(PARTS, "planning", f"{runs} runs", milliseconds(taken[count]))
+
+
+def sample() -> list[Task]:
+    """Return runs of all papers in turn, each of some milliseconds."""
+    tasks = plan(PAPERS.values(), 1)
+    return list(islice(tasks[:: max(1, len(tasks) // SAMPLE)], SAMPLE))
+
+
+def test_storing(benchmark: BenchmarkFixture, results: Results, folder: Path) -> None:
+    records = [execute(task) for task in sample()]
+    with Store(folder / "storing") as store:
+        store.begin(provenance())
+
+        def one_by_one() -> None:
+            for record in records:
+                store.add([record])
+
+        calls: dict[str, Callable[[], object]] = {
+            "one by one": one_by_one,
+            "at once": partial(store.add, records),
+        }
+        calls["reading"] = lambda: list(store.records([record.task for record in records]))
+        taken = in_turns(benchmark, calls, rounds=5)
+    for how in calls:
+        part = "storing" if how != "reading" else "reading and checking"
+        results.add(PARTS, part, f"{len(records)} runs, {how}", milliseconds(taken[how]))
+
+
+@pytest.mark.parametrize("paper", PAPERS.values(), ids=PAPERS)
+def test_judging(benchmark: BenchmarkFixture, results: Results, folder: Path, paper: Paper) -> None:
+    tasks = plan([paper], 1)
+    with Store(folder / "second") as store:
+        evidence = gather(store, paper, tasks)
+    calls: dict[str, Callable[[], object]] = {
+        "judging": partial(judge_paper, evidence),
+        "audit": partial(audit, paper),
+    }
+    taken = in_turns(benchmark, calls, rounds=3)
+    results.add(PARTS, f"judging {paper.key}", "one repeat", milliseconds(taken["judging"]))
+    results.add(PARTS, f"audit of {paper.key}", "all tables", milliseconds(taken["audit"]))
+
+
+def test_pages(benchmark: BenchmarkFixture, results: Results, folder: Path) -> None:
+    chosen, tasks = list(PAPERS.values()), plan(PAPERS.values(), 1)
+    with Store(folder / "second") as store:
+        call = partial(write_report, store, chosen, tasks, folder / "pages", chosen)
+        taken = in_turns(benchmark, {"pages": call}, rounds=1)
+    results.add(PARTS, "all pages, judging included", "one repeat", milliseconds(taken["pages"]))
+
+
+def test_cores(benchmark: BenchmarkFixture, results: Results, tmp_path: Path) -> None:
+    if usable_cores() < 2:
+        pytest.skip("one core")
+    tasks, searches = sample(), []
+    folders = iter(range(1000))
+
+    def run(workers: int) -> None:
+        with (
+            Store(tmp_path / str(next(folders))) as store,
+            ThreadPoolExecutor(workers) as executor,
+        ):
+            failed: list[Record] = run_missing(
+                store, tasks, executor=executor, workers=workers,
+                environment=provenance, report=lambda *_: None,
+            )  # fmt: skip
+            if workers == 1:
+                searches.append(sum(record.seconds for record in store.records(tasks)))
+        assert not failed
+
+    calls = {"1": partial(run, 1), "2": partial(run, 2)}
+    taken = in_turns(benchmark, calls, rounds=3)
+    one, two = median(taken["1"]), median(taken["2"])
+    efficiency = median(a / (2 * b) for a, b in zip(taken["1"], taken["2"], strict=True))
+    # the first of the searches is the untimed turn
+    overhead = median(
+        1 - inside / whole for inside, whole in zip(searches[1:], taken["1"], strict=True)
+    )
+    times = (f"{one:.2f}", f"{two:.2f}")
+    results.add(CORES, str(len(tasks)), *times, f"{efficiency:.2f}", f"{100 * overhead:.1f} %")
+
+
+def milliseconds(taken: list[float]) -> str:
+    return f"{1000 * median(taken):,.0f}"
