@@ -10,10 +10,12 @@ from itertools import islice
 from pathlib import Path
 from statistics import median
 
+import numpy as np
 import pytest
 from pytest_benchmark.fixture import BenchmarkFixture
 
 from benchmarks.measuring import in_turns, seconds, timed
+from benchmarks.ours import PROBLEMS, optimiser
 from benchmarks.results import Results, Section
 from repro.__main__ import all_papers
 from repro.audit import audit
@@ -106,6 +108,18 @@ def test_planning(benchmark: BenchmarkFixture, results: Results) -> None:
     for count in calls:
         runs = len(plan(PAPERS.values(), int(count)))
         results.add(PARTS, "planning", f"{runs} runs", milliseconds(taken[count]))
+
+
+def test_smallest_runs(benchmark: BenchmarkFixture, results: Results) -> None:
+    problem, rng = PROBLEMS["sphere"].problem(1), np.random.default_rng(1)
+    search = partial(optimiser("WOA").minimise, problem, population=1, iterations=1, rng=rng)
+
+    def many() -> None:
+        for _ in range(1000):
+            search()
+
+    taken = in_turns(benchmark, {"calls": many}, rounds=15)
+    results.add(PARTS, "`minimise`", "1000 runs of 1 evaluation", milliseconds(taken["calls"]))
 
 
 def sample() -> list[Task]:
