@@ -8,10 +8,10 @@ import pkgutil
 import sys
 from collections.abc import Callable, Sequence
 from functools import partial
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import papers
+from repro.arguments import parser
 from repro.errors import InputError, ReproError, StoreError, Terminated
 from repro.model import Paper
 
@@ -23,18 +23,12 @@ if TYPE_CHECKING:
 INTERRUPTED = 130
 TERMINATED = 143
 SOME_RUN_FAILED = 1
-DEFAULT_REPEATS = 10
-PRIVATE = "reports-private"
 PAGES = "repro.report.pages"  # takes seconds to load, with all that draws
-_AGAIN = (
-    "Run what one printed number needs, once, and say what comes out: the number that its page "
-    "shows below the printed one. Nothing is stored."
-)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command and return its exit code; bad input is one line on stderr."""
-    options = _parser().parse_args(arguments)
+    options = parser(_COMMANDS).parse_args(arguments)
     command: Callable[[argparse.Namespace], int] = options.command
     try:
         return command(options)
@@ -44,82 +38,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt as interrupt:
         sys.stderr.write("\nrepro: interrupted; finished runs are kept, the same call goes on\n")
         return TERMINATED if isinstance(interrupt, Terminated) else INTERRUPTED
-
-
-def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
-        prog="repro", description="Re-run published papers and say, number by number, what holds."
-    )
-    commands = parser.add_subparsers(required=True, metavar="COMMAND")
-    reproduce = _command(commands, _reproduce, "reproduce", "run what is missing, then write pages")
-    reproduce.add_argument("--workers", type=int, help="threads on this machine (default: cores)")
-    reproduce.add_argument(
-        "--processes", action="store_true", help="every run in a process, safe from its crash"
-    )
-    reproduce.add_argument("--dask", metavar="ADDRESS", help="use the Dask cluster at this address")
-    report = _command(commands, _report, "report", "write pages from the store, run nothing")
-    listing = _command(
-        commands, _list, "list", "papers, experiments, tables, runs done and missing"
-    )
-    for command in (reproduce, report, listing):
-        command.add_argument(
-            "--repeats", type=int, default=DEFAULT_REPEATS, help="how often the whole protocol runs"
-        )
-        command.add_argument("--store", type=Path, default=Path(".repro"), metavar="DIR")
-    for command in (reproduce, report):
-        command.add_argument("--reports", type=Path, default=Path("reports"), metavar="DIR")
-    _compare_command(commands)
-    audit = _command(commands, _audit, "audit", "what the printed tables say about themselves")
-    certificates = _command(commands, _certify, "certify", "proved minima of the motion problems")
-    references = _command(commands, _references, "references", "what other planners say of them")
-    verified = _command(
-        commands, _verify, "verify", "re-run a random sample of the stored runs and compare"
-    )
-    again = commands.add_parser("again", help="run one printed number again", description=_AGAIN)
-    again.add_argument("key", metavar="KEY", help="the paper")
-    again.add_argument("name", metavar="NAME", help="the number, as its page and its CSV call it")
-    again.add_argument("--workers", type=int, help="threads on this machine (default: cores)")
-    again.set_defaults(command=_again)
-    for command in (listing, audit, certificates, references, verified):
-        command.add_argument("--json", action="store_true", help="print JSON")
-    _add_sample(verified)
-    return parser
-
-
-def _add_sample(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("folder", nargs="?", type=Path, metavar="STORE", help="default: .repro")
-    parser.add_argument("--store", type=Path, default=Path(".repro"), metavar="DIR")
-    parser.add_argument("--sample", type=int, default=20, metavar="N", help="runs (default: 20)")
-    parser.add_argument("--seed", default="1", metavar="TEXT", help="what names the sample")
-    parser.add_argument("--repeats", type=int, default=DEFAULT_REPEATS, help=argparse.SUPPRESS)
-
-
-def _command(
-    commands: "argparse._SubParsersAction[argparse.ArgumentParser]",
-    run: Callable[[argparse.Namespace], int],
-    name: str,
-    text: str,
-) -> argparse.ArgumentParser:
-    parser = commands.add_parser(name, help=text, description=text)
-    if run is not _verify:  # takes the folder of a store
-        parser.add_argument("keys", nargs="*", metavar="KEY", help="papers (default: all)")
-    parser.set_defaults(command=run)
-    return parser
-
-
-def _compare_command(
-    commands: "argparse._SubParsersAction[argparse.ArgumentParser]",
-) -> None:
-    text = "run a search of your own on every problem and write a private report"
-    parser = commands.add_parser("compare", help=text, description=text)
-    parser.add_argument("search", metavar="MODULE:OBJECT", help="an optimiser, or a callable")
-    parser.add_argument("keys", nargs="*", metavar="KEY", help="papers (default: all)")
-    parser.add_argument("--name", help="what the pages call it (default: OBJECT)")
-    parser.add_argument("--repeats", type=int, default=1, help="how often each protocol runs")
-    parser.add_argument("--workers", type=int, help="workers on this machine (default: cores)")
-    parser.add_argument("--store", type=Path, default=Path(".repro"), metavar="DIR")
-    parser.add_argument("--reports", type=Path, default=Path(PRIVATE), metavar="DIR")
-    parser.set_defaults(command=_compare)
 
 
 def all_papers() -> dict[str, Paper]:
@@ -150,7 +68,7 @@ def _reproduce(options: argparse.Namespace) -> int:
     from repro.store import Store  # noqa: PLC0415
 
     chosen = _chosen(options.keys)
-    tasks = plan(chosen, options.repeats)
+    tasks = plan(chosen, options.repeats, options.master_seed, protocol_only=options.protocol_only)
     checked_workers(options.workers)
     usable_folder(options.reports)
     written = unchanged.Written(
@@ -228,7 +146,7 @@ def _report(options: argparse.Namespace) -> int:
     from repro.store import Store  # noqa: PLC0415
 
     chosen = _chosen(options.keys)
-    tasks = plan(chosen, options.repeats)
+    tasks = plan(chosen, options.repeats, options.master_seed, protocol_only=options.protocol_only)
     with Store(options.store, writing=False) as store:
         write_report(store, chosen, tasks, options.reports, all_papers().values())
     return _written(options)
@@ -320,6 +238,36 @@ def _say(rows: Sequence[Any], lines: Sequence[str], *, as_json: bool) -> int:
         sys.stdout.writelines(line + "\n" for line in lines)
     return 0
 
+
+def _flips(options: argparse.Namespace) -> int:
+    from repro.flips import compare  # noqa: PLC0415 (slow imports late)
+    from repro.report.results import read_results  # noqa: PLC0415
+
+    both = []
+    for path in (options.first, options.second):
+        found = read_results(path)
+        if found is None:
+            message = f"{path}: no results are there"
+            raise InputError(message)
+        both.append(found)
+    comparison = compare(*both)
+    as_json = json.dumps(comparison.as_json(), indent=2, ensure_ascii=False) + "\n"
+    sys.stdout.write(as_json if options.json else comparison.as_text())
+    return 0
+
+
+_COMMANDS = {
+    "reproduce": _reproduce,
+    "report": _report,
+    "list": _list,
+    "compare": _compare,
+    "again": _again,
+    "audit": _audit,
+    "certify": _certify,
+    "references": _references,
+    "verify": _verify,
+    "flips": _flips,
+}
 
 if __name__ == "__main__":
     sys.exit(main())

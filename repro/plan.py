@@ -46,7 +46,9 @@ class Task:
         return "/".join(map(str, (self.seed, *parts) if self.seed else parts))
 
 
-def plan(papers: Iterable[Paper], repeats: int, seed: str = "") -> tuple[Task, ...]:
+def plan(
+    papers: Iterable[Paper], repeats: int, seed: str = "", *, protocol_only: bool = False
+) -> tuple[Task, ...]:
     """Return every run of the papers' protocols, `repeats` times over, then of their studies.
 
     Repeats are counted from 1; `seed` is a master seed, which makes every run another one.
@@ -61,7 +63,7 @@ def plan(papers: Iterable[Paper], repeats: int, seed: str = "") -> tuple[Task, .
     besides = [
         (paper, study.experiment, study.repeats)
         for paper in declared
-        for study in studies(paper, repeats)
+        for study in (() if protocol_only else studies(paper, repeats))
     ]
     return tuple(
         task

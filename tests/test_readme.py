@@ -5,7 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from repro.__main__ import _parser
+from repro.__main__ import _COMMANDS
+from repro.arguments import parser
 from repro.errors import InputError
 from repro.report.readme import BEGIN, END, with_verdicts
 
@@ -37,7 +38,7 @@ def test_every_python_example_of_the_readme_runs() -> None:
 def test_every_command_of_the_readme_is_known() -> None:
     for line in re.findall(r"^    repro (\w+)", README, flags=re.MULTILINE):
         search = ["module:object"] if line == "compare" else []
-        assert _parser().parse_args([line, *search]).command
+        assert parser(_COMMANDS).parse_args([line, *search]).command
 
 
 def test_every_file_that_the_readme_links_to_exists() -> None:

@@ -1,0 +1,98 @@
+"""What the command line accepts."""
+
+import argparse
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+Command = Callable[[argparse.Namespace], int]
+DEFAULT_REPEATS = 10
+STORE, REPORTS, PRIVATE = Path(".repro"), Path("reports"), Path("reports-private")
+_AGAIN = (
+    "Run what one printed number needs, once, and say what comes out: the number that its page "
+    "shows below the printed one. Nothing is stored."
+)
+_TEXTS = {
+    "reproduce": "run what is missing, then write pages",
+    "report": "write pages from the store, run nothing",
+    "list": "papers, experiments, tables, runs done and missing",
+    "compare": "run a search of your own on every problem and write a private report",
+    "again": "run one printed number again",
+    "audit": "what the printed tables say about themselves",
+    "certify": "proved minima of the motion problems",
+    "references": "what other planners say of them",
+    "verify": "re-run a random sample of the stored runs and compare",
+    "flips": "compare the verdicts of two results.json, of two master seeds say",
+}
+
+
+def parser(commands: Mapping[str, Command]) -> argparse.ArgumentParser:
+    """Return the parser; the options that it gives have the `command` to call, by its name."""
+    whole = argparse.ArgumentParser(
+        prog="repro", description="Re-run published papers and say, number by number, what holds."
+    )
+    added = whole.add_subparsers(required=True, metavar="COMMAND")
+    parsers = {}
+    for name, text in _TEXTS.items():
+        description = _AGAIN if name == "again" else text
+        parsers[name] = added.add_parser(name, help=text, description=description)
+        parsers[name].set_defaults(command=commands[name])
+    _add_names(parsers)
+    _add_runs(parsers)
+    _add_places(parsers)
+    for name in ("list", "audit", "certify", "references", "verify", "flips"):
+        parsers[name].add_argument("--json", action="store_true", help="print JSON")
+    return whole
+
+
+def _add_names(parsers: Mapping[str, argparse.ArgumentParser]) -> None:
+    """Add what stands behind a command: papers, a number, a store, a search, two results."""
+    parsers["compare"].add_argument(
+        "search", metavar="MODULE:OBJECT", help="an optimiser, or a callable"
+    )
+    for name in ("reproduce", "report", "list", "compare", "audit", "certify", "references"):
+        parsers[name].add_argument("keys", nargs="*", metavar="KEY", help="papers (default: all)")
+    parsers["compare"].add_argument("--name", help="what the pages call it (default: OBJECT)")
+    again, verify, flips = parsers["again"], parsers["verify"], parsers["flips"]
+    again.add_argument("key", metavar="KEY", help="the paper")
+    again.add_argument("name", metavar="NAME", help="the number, as its page and its CSV call it")
+    verify.add_argument("folder", nargs="?", type=Path, metavar="STORE", help=f"default: {STORE}")
+    verify.add_argument("--sample", type=int, default=20, metavar="N", help="runs (default: 20)")
+    verify.add_argument("--seed", default="1", metavar="TEXT", help="what names the sample")
+    flips.add_argument("first", type=Path, metavar="FIRST", help="a results.json")
+    flips.add_argument("second", type=Path, metavar="SECOND", help="another")
+
+
+def _add_runs(parsers: Mapping[str, argparse.ArgumentParser]) -> None:
+    """Add how often runs are made, and where."""
+    times = "how often the whole protocol runs"
+    for name in ("reproduce", "report", "list", "compare"):
+        default = 1 if name == "compare" else DEFAULT_REPEATS
+        parsers[name].add_argument("--repeats", type=int, default=default, help=times)
+    parsers["verify"].add_argument(
+        "--repeats", type=int, default=DEFAULT_REPEATS, help=argparse.SUPPRESS
+    )
+    for name in ("reproduce", "compare", "again"):
+        parsers[name].add_argument(
+            "--workers", type=int, help="workers on this machine (default: cores)"
+        )
+    reproduce = parsers["reproduce"]
+    reproduce.add_argument(
+        "--processes", action="store_true", help="every run in a process, safe from its crash"
+    )
+    reproduce.add_argument("--dask", metavar="ADDRESS", help="use the Dask cluster at this address")
+    for name in ("reproduce", "report"):
+        parsers[name].add_argument(
+            "--master-seed", default="", metavar="TEXT", help="makes every run another one"
+        )
+        parsers[name].add_argument(
+            "--protocol-only", action="store_true", help="no readings, shifts or baselines besides"
+        )
+
+
+def _add_places(parsers: Mapping[str, argparse.ArgumentParser]) -> None:
+    """Add the folders that a command uses."""
+    for name in ("reproduce", "report", "list", "compare", "verify"):
+        parsers[name].add_argument("--store", type=Path, default=STORE, metavar="DIR")
+    for name in ("reproduce", "report", "compare"):
+        default = PRIVATE if name == "compare" else REPORTS
+        parsers[name].add_argument("--reports", type=Path, default=default, metavar="DIR")
