@@ -10,7 +10,7 @@ from dataclasses import replace
 from repro.model import Experiment
 from repro.optimisers.search import Optimiser, every_agent_once
 
-EQUAL_EVALUATIONS = "equal evaluations"
+EQUAL_BUDGET = "equal budget"
 
 
 def budget(experiment: Experiment) -> int:

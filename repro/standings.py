@@ -11,7 +11,7 @@ from scipy.stats import rankdata
 from repro.baselines import BASELINES
 from repro.baselines.study import BASELINE_STUDY
 from repro.certify import Certificate
-from repro.equal_budget import EQUAL_EVALUATIONS, unequal
+from repro.equal_budget import EQUAL_BUDGET, unequal
 from repro.evidence import Cell, Runs
 from repro.known_minimum import KnownMinimum, known_minimum
 from repro.model import Experiment
@@ -98,7 +98,7 @@ def _places(
     experiment: Experiment, problem: str, yours: Sequence[str]
 ) -> Iterable[tuple[str, Kind, Cell]]:
     equal, baseline = (
-        study_name(experiment.name, departs) for departs in (EQUAL_EVALUATIONS, BASELINE_STUDY)
+        study_name(experiment.name, departs) for departs in (EQUAL_BUDGET, BASELINE_STUDY)
     )
     for name in yours:
         yield name, "yours", (experiment.name, problem, name)
@@ -145,7 +145,7 @@ def mean_ranks(problems: Sequence[ProblemStandings]) -> Mapping[tuple[str, Kind]
 
 def budget_rows(experiment: Experiment, runs: Mapping[Cell, Runs]) -> tuple[BudgetRow, ...]:
     """Return the paper's ranking as printed and at equal evaluations, where all of it was run."""
-    equal = study_name(experiment.name, EQUAL_EVALUATIONS)
+    equal = study_name(experiment.name, EQUAL_BUDGET)
     again = unequal(experiment)
     printed = dict.fromkeys(experiment.algorithms, experiment.name)
     fair = {name: equal if name in again else experiment.name for name in experiment.algorithms}

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from repro.baselines.study import BASELINE_STUDY, with_baselines
-from repro.equal_budget import EQUAL_EVALUATIONS, at_equal_evaluations
+from repro.equal_budget import EQUAL_BUDGET, at_equal_evaluations
 from repro.model import Experiment, Paper
 from repro.optimisers.random_search import RandomSearch
 from repro.shifts import IN_PLACE, SHARES, centred, shift_name, shifted
@@ -88,7 +88,7 @@ def _fair(paper: Paper) -> tuple[Study, ...]:
     """Return the algorithms at equal evaluations, then the baselines, of every experiment."""
     equal = [(e, at_equal_evaluations(e)) for e in paper.experiments]
     return (
-        *(_departing(e, "equal budget", EQUAL_EVALUATIONS, again) for e, again in equal if again),
+        *(_departing(e, "equal budget", EQUAL_BUDGET, again) for e, again in equal if again),
         *(_departing(e, "baseline", BASELINE_STUDY, with_baselines(e)) for e in paper.experiments),
     )
 

@@ -84,7 +84,7 @@ def test_every_baseline_runs_a_few_times_on_every_problem() -> None:
 
 
 def test_algorithms_of_another_budget_run_as_often_as_in_the_protocol() -> None:
-    study = fair(10)["equal evaluations"].experiment
+    study = fair(10)["equal budget"].experiment
 
-    assert (study.name, set(study.algorithms)) == ("search [equal evaluations]", {"DE", "GA"})
+    assert (study.name, set(study.algorithms)) == ("search [equal budget]", {"DE", "GA"})
     assert (study.runs, study.evaluations) == (PROTOCOL.runs, 240)
