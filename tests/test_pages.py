@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from repro.plan import plan
-from repro.report.pages import write_report
+from repro.report.pages import index_files, write_report
 from repro.store import Store
 from tests.doe2021 import PAPER
 from tests.made_up import pages_of
@@ -146,3 +146,21 @@ def test_pages_of_other_papers_stay_in_the_index(tmp_path: Path) -> None:
         results = write_report(store, [other], tasks, tmp_path / "reports", [PAPER, other])
     assert [entry["key"] for entry in results["papers"]] == ["doe2021", "roe2022"]
     assert {finding["verdict"] for finding in results["papers"][1]["findings"]} >= {"not run"}
+
+
+def test_index_says_what_another_master_seed_changes(pages: dict[str, str]) -> None:
+    results = json.loads(pages["results.json"])
+    told = {
+        "compared": 9,
+        "repeats": [2, 2],
+        "same": 8,
+        "opposite": 0,
+        "changes": {"reproduced → undecided": 1},
+        "flips": [],
+    }
+
+    for name in ("index.html", "index.md"):
+        index = index_files(results, told)[name]
+        assert "reproduced → undecided (1)" in index
+        assert "another-seed.json" in index
+        assert "another-seed.json" not in index_files(results)[name]

@@ -37,8 +37,8 @@ def test_every_python_example_of_the_readme_runs() -> None:
 
 def test_every_command_of_the_readme_is_known() -> None:
     for line in re.findall(r"^    repro (\w+)", README, flags=re.MULTILINE):
-        search = ["module:object"] if line == "compare" else []
-        assert parser(_COMMANDS).parse_args([line, *search]).command
+        needed = {"compare": ["module:object"], "again": ["key", "name"], "flips": ["a", "b"]}
+        assert parser(_COMMANDS).parse_args([line, *needed.get(line, [])]).command
 
 
 def test_every_file_that_the_readme_links_to_exists() -> None:

@@ -26,6 +26,7 @@ from repro.report.results import (
     Json,
     merged,
     paper_result,
+    read_json,
     read_results,
     results_text,
     verdict_counts,
@@ -40,6 +41,7 @@ from repro.studies import studies
 from repro.verdict import Verdict
 
 Files = dict[str, str]
+ANOTHER_SEED = "another-seed.json"
 _COLUMNS = (
     *("table", "row", "column", "claim", "where", "printed", "unit", "value"),
     *("measured_low", "measured_high", "accepted_low", "accepted_high", "quantile", "repeats"),
@@ -66,7 +68,7 @@ def write_report(
     old = read_results(folder / "results.json")
     results = merged(entries, old, [paper.key for paper in known])
     files["results.json"] = results_text(results)
-    files |= index_files(results)
+    files |= index_files(results, read_json(folder / ANOTHER_SEED))
     for name, text in files.items():
         write_file(folder / name, text)
     return results
@@ -123,8 +125,11 @@ def _paper_files(
     return entry
 
 
-def index_files(results: Json) -> Files:
-    """Return the index pages and the table of verdicts alone."""
+def index_files(results: Json, another_seed: Json | None = None) -> Files:
+    """Return the index pages and the table of verdicts alone.
+
+    `another_seed` is what `repro flips --json` said of these results and those of another seed.
+    """
     papers = results["papers"]
     not_run = any(verdict_counts(paper)[Verdict.NOT_RUN] for paper in papers)
     context = {
@@ -132,6 +137,7 @@ def index_files(results: Json) -> Files:
         "counts_of": verdict_counts,
         "verdicts": [v for v in Verdict if v != Verdict.NOT_RUN or not_run],
         "search_rows": search_rows(papers),
+        "another_seed": another_seed,
     }
     return {name: render(name, context) for name in ("index.html", "index.md", "verdicts.md")}
 

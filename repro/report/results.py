@@ -83,11 +83,17 @@ def _common_provenance(papers: Iterable[Json]) -> Json:
 
 def read_results(path: Path) -> Json | None:
     """Return the content of an earlier results.json, or None where there is none of this schema."""
+    content = read_json(path)
+    return content if content and content.get("schema") == SCHEMA else None
+
+
+def read_json(path: Path) -> Json | None:
+    """Return the object that a file holds, or None where there is none."""
     try:
         content = json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError):
         return None
-    return content if isinstance(content, dict) and content.get("schema") == SCHEMA else None
+    return content if isinstance(content, dict) else None
 
 
 def results_text(results: Json) -> str:
