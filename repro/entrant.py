@@ -70,7 +70,7 @@ def load(place: str) -> Any:  # noqa: ANN401 (whatever the user wrote)
     found = _imported(module)
     for part in name.split("."):
         if not hasattr(found, part):
-            known = ", ".join(word for word in vars(found) if not word.startswith("_"))
+            known = ", ".join(word for word in dir(found) if not word.startswith("_"))
             message = f"{module!r} has no {name!r}; it has: {known or 'nothing'}"
             raise InputError(message)
         found = getattr(found, part)
