@@ -13,7 +13,7 @@ from repro.model import Experiment, Paper
 from repro.published import UNITS
 from repro.robotics import MinimumTime, MinimumTimeSpline, PathFitting
 from repro.robotics.fastest import fastest_joints
-from repro.robotics.fixed_penalties import Cheapest, cheapest, unbounded
+from repro.robotics.fixed_penalties import Cheapest, cheapest
 from repro.robotics.rest_to_rest import DERIVATIVES
 from repro.spline_rows import Cut
 
@@ -129,7 +129,7 @@ def _better_off_breaking(
     bound = max(joints)
     slowest = joints.index(bound) + 1
     obeying = float(problem.shortest().sum())
-    limit = cheapest(unbounded(problem))
+    limit = cheapest(problem, shortest=0.0)
     broken = ", ".join(least.broken)
     each = " + ".join(f"{duration:.4g}" for duration in least.durations)
     return Certificate(

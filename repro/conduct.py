@@ -21,19 +21,22 @@ class Given:
     problem: Any
     bounds: Vector
     data: Vector
+    before: tuple[bytes, bytes]
 
     @classmethod
     def of(cls, problem: Problem) -> Self:
-        """Return the problem with copies of its bounds and data."""
-        return cls(problem=problem, bounds=np.array(problem.bounds), data=np.array(problem.data))
+        """Return the problem with copies of its bounds and data.
 
-    def inputs(self) -> tuple[bytes, bytes]:
-        """Return the bytes of bounds and data, but for data that the cost works in.
-
-        A problem whose cost keeps numbers at the end of its data says how many as `scratch`.
+        A cost that needs room for numbers of its own has it at the end of the data, and says how
+        much by an attribute `scratch` of the problem.
         """
-        kept = len(self.data) - int(getattr(self.problem, "scratch", 0))
-        return self.bounds.tobytes(), self.data[:kept].tobytes()
+        bounds, data = np.array(problem.bounds), np.array(problem.data)
+        return cls(problem=problem, bounds=bounds, data=data, before=_bytes(problem, bounds, data))
+
+    @property
+    def is_as_it_was(self) -> bool:
+        """Whether bounds and data are what was given."""
+        return _bytes(self.problem, self.bounds, self.data) == self.before
 
     def __getattr__(self, name: str) -> Any:  # noqa: ANN401 (whatever the problem has besides)
         """Return anything else as the problem has it."""
@@ -47,10 +50,13 @@ class Given:
         return float(kernel(np.ascontiguousarray(x, dtype=np.float64), self.data))
 
 
+def _bytes(problem: Problem, bounds: Vector, data: Vector) -> tuple[bytes, bytes]:
+    return bounds.tobytes(), data[: len(data) - getattr(problem, "scratch", 0)].tobytes()
+
+
 def fault(
     result: Result,
     given: Given,
-    before: tuple[bytes, bytes],
     *,
     optimiser: Optimiser,
     population: int,
@@ -59,25 +65,23 @@ def fault(
 ) -> str | None:
     """Return what is wrong with a search or its result, None where nothing is.
 
-    `before` are the inputs as they were given. An optimiser whose source lets
-    points leave the box says so by an attribute `leaves_box`; one that spends more than N·(T + 1)
-    evaluations by a method `spending`.
+    An optimiser whose source lets points leave the box says so by an attribute `leaves_box`; one
+    that spends more than N·(T + 1) evaluations by a method `spending`.
     """
     most = evaluations or _most(optimiser, population, iterations or 0)
     free = getattr(optimiser, "leaves_box", False)
-    return next(_faults(result, given, before, free=free, iterations=iterations, most=most), None)
+    return next(_faults(result, given, free=free, iterations=iterations, most=most), None)
 
 
 def _faults(
     result: Result,
     given: Given,
-    before: tuple[bytes, bytes],
     *,
     free: bool,
     iterations: int | None,
     most: int,
 ) -> Iterator[str]:
-    if given.inputs() != before:
+    if not given.is_as_it_was:
         yield "the search, or the cost, changed the bounds or data that it was given"
     if not np.isfinite(result.cost):
         where = f" at {_shown(result.x)}" if np.isnan(result.cost) else ""

@@ -28,6 +28,8 @@ UNITS = {
 WORDS = "text"
 NOTHING = "–"  # how a declaration writes a cell or row heading that is empty on the page
 
+_LONGEST = 60  # characters of a printed number
+
 _DECIMAL = re.compile(
     r"(?P<digits>[-+]?\d+(?:\.(?P<decimals>\d+))?)"
     r"(?:\s*[×x]\s*10(?:\^(?P<power>[-+]?\d+))?|[eE](?P<e>[-+]?\d+))?"
@@ -51,8 +53,12 @@ class Printed:
         """Raise DeclarationError for an unknown unit or a text that is no number."""
         if self.unit not in UNITS:
             raise DeclarationError(_unknown_unit(self.text, self.unit))
-        if not (_DECIMAL.fullmatch(self._plain) or _PI.fullmatch(self._plain)):
-            message = f"{self.text!r} is not a number"
+        known = _DECIMAL.fullmatch(self._plain) or _PI.fullmatch(self._plain)
+        if len(self.text) > _LONGEST or not known:
+            message = f"{self.text[:_LONGEST]!r} is not a number"
+            raise DeclarationError(message)
+        if not math.isfinite(self.value):
+            message = f"{self.text!r} is greater than any double"
             raise DeclarationError(message)
 
     @property

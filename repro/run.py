@@ -40,7 +40,6 @@ def execute(task: Task) -> Record:
     start = time.perf_counter()
     try:
         given = Given.of(task.subject)
-        before = given.inputs()
         budget = _budget(task)
         result = task.optimiser.minimise(
             given, population=task.population, rng=generator(task.stream), **budget
@@ -49,7 +48,6 @@ def execute(task: Task) -> Record:
         reason = fault(
             result,
             given,
-            before,
             optimiser=task.optimiser,
             population=task.population,
             iterations=budget.get("iterations"),

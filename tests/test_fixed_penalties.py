@@ -13,7 +13,7 @@ from repro.errors import DeclarationError, InputError
 from repro.model import Experiment, Paper, Reading
 from repro.optimisers import WOA
 from repro.robotics import MinimumTime, cubic, septic
-from repro.robotics.fixed_penalties import cheapest, unbounded
+from repro.robotics.fixed_penalties import cheapest
 from repro.robotics.rest_to_rest import DERIVATIVES, Handling
 from tests.small_papers import PAPER
 
@@ -127,8 +127,8 @@ def test_motion_that_must_be_slow_by_its_range_breaks_nothing() -> None:
 
 
 def test_fitness_tends_to_the_price_of_all_limits_as_durations_shrink() -> None:
-    assert cheapest(unbounded(PRICED)).cost == pytest.approx(sum(PRICES))
-    assert cheapest(unbounded(PRICED)).time == 0.0
+    assert cheapest(PRICED, shortest=0.0).cost == pytest.approx(sum(PRICES))
+    assert cheapest(PRICED, shortest=0.0).time == 0.0
 
 
 def test_search_under_fixed_penalties_ends_on_the_proved_minimum() -> None:

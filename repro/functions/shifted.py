@@ -77,7 +77,7 @@ class ShiftedProblem:
 
     @property
     def scratch(self) -> int:
-        """Numbers at the end of the data that the cost works in."""
+        """How many numbers at the end of the data the cost writes over."""
         return self.problem.dimension
 
     @property

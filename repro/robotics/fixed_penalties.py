@@ -5,7 +5,7 @@ that keep them, and pays no more than the price of the other kinds. The cheapest
 choices of what to keep is therefore the least cost, and its durations attain it.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import product
 
 import numpy as np
@@ -31,15 +31,17 @@ class Cheapest:
         return float(self.durations.sum())
 
 
-def cheapest(problem: MinimumTime) -> Cheapest:
+def cheapest(problem: MinimumTime, *, shortest: float | None = None) -> Cheapest:
     """Return the proved minimum of a cost with fixed penalties over the durations allowed.
 
-    Raises InputError for a problem whose limits are handled in another way.
+    `shortest` takes the place of the shortest duration allowed: with 0 they may be as short as one
+    likes. Raises InputError for a problem whose limits are handled in another way.
     """
     if problem.handling != "fixed penalties":
         message = f"limits are handled by {problem.handling!r}, not by fixed penalties"
         raise InputError(message)
-    shortest, longest = problem.durations
+    longest = problem.durations[1]
+    shortest = problem.durations[0] if shortest is None else shortest
     needed = problem.times_to_keep().max(axis=2)
     choices = []
     for kept in product((False, True), repeat=3):
@@ -51,8 +53,3 @@ def cheapest(problem: MinimumTime) -> Cheapest:
     over = (needed > durations[:, None]).any(axis=0)
     broken = tuple(kind for m, kind in DERIVATIVES.items() if over[m - 1])
     return Cheapest(cost=cost, durations=durations, broken=broken)
-
-
-def unbounded(problem: MinimumTime) -> MinimumTime:
-    """Return the problem with durations as short as one likes."""
-    return replace(problem, durations=(0.0, problem.durations[1]))

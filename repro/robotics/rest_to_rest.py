@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from repro.compiled import jit
 from repro.errors import DeclarationError
+from repro.robotics.motion_checks import check_motion
 from repro.robotics.polynomials import RestToRestLaw
 
 Vector = NDArray[np.float64]
@@ -117,12 +118,11 @@ class MinimumTime:
     penalties: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
     def __post_init__(self) -> None:
-        """Raise DeclarationError unless there is one limit of each kind per joint."""
-        joints = {len(point) for point in self.waypoints}
-        for limits in (self.velocity, self.acceleration, self.jerk or self.velocity):
-            joints.add(len(limits))
-        if len(joints) > 1 or len(self.waypoints) < 2:
-            message = f"waypoints and limits disagree on the number of joints: {sorted(joints)}"
+        """Raise DeclarationError for waypoints, limits, durations or penalties that cannot be."""
+        kinds = (self.velocity, self.acceleration, *((self.jerk,) if self.jerk else ()))
+        check_motion(self.waypoints, kinds, self.durations, called="waypoints")
+        if not all(0.0 <= price < np.inf for price in (self.weight, *self.penalties)):
+            message = f"weight {self.weight} and penalties {self.penalties} must be 0 or more"
             raise DeclarationError(message)
 
     @property

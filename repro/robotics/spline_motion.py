@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from repro.compiled import jit
 from repro.errors import DeclarationError
 from repro.robotics.bsplines import Ends, Matrix, sample, span_weights, spans
+from repro.robotics.motion_checks import check_motion
 from repro.robotics.spline_limits import fastest, hardest, largest_turning, least, turning
 
 Vector = NDArray[np.float64]
@@ -140,12 +141,9 @@ class MinimumTimeSpline:
     handling: Handling = "feasibility first"
 
     def __post_init__(self) -> None:
-        """Raise DeclarationError unless there is one limit of each kind per joint."""
-        joints = {len(node) for node in self.nodes}
-        joints |= {len(self.velocity), len(self.acceleration)}
-        if len(joints) > 1 or len(self.nodes) < 2:
-            message = f"nodes and limits disagree on the number of joints: {sorted(joints)}"
-            raise DeclarationError(message)
+        """Raise DeclarationError for nodes, limits or durations that cannot be."""
+        kinds = (self.velocity, self.acceleration)
+        check_motion(self.nodes, kinds, self.durations, called="nodes")
 
     @property
     def segments(self) -> int:

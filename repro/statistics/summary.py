@@ -10,6 +10,8 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import NDArray
 
+from repro.errors import InputError
+
 Vector = NDArray[np.float64]
 
 
@@ -30,7 +32,13 @@ def mean(costs: Vector) -> Vector:
 
 
 def standard_deviation(costs: Vector) -> Vector:
-    """Return the sample standard deviation (n-1); equal values give exactly 0."""
+    """Return the sample standard deviation (n-1); equal values give exactly 0.
+
+    Raises InputError for single values, which have none.
+    """
+    if costs.shape[-1] < 2:
+        message = "a standard deviation needs two runs or more"
+        raise InputError(message)
     scaled, exponent = _scaled(costs)
     spread = np.ldexp(scaled.std(axis=-1, ddof=1), exponent)
     return _where_equal(costs, np.zeros(costs.shape[:-1]), spread)
