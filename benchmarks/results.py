@@ -48,7 +48,8 @@ class Results:
         yield "Written by `nox -s bench`; do not edit (what was tried is written in tried.md)."
         yield "Contenders take turns in one process or in processes that wait for each other, on"
         yield "the same cores; every number is a median of rounds. A ratio is the median over the"
-        yield "rounds, not the ratio of the medians."
+        yield "rounds, not the ratio of the medians. What runs on one thread is measured in"
+        yield "processor time; whole calls, storing and scaling by the clock on the wall."
         yield ""
         for name, value in machine().items():
             yield f"- {name}: {value}"

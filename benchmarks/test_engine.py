@@ -9,6 +9,7 @@ from functools import partial
 from itertools import islice
 from pathlib import Path
 from statistics import median
+from time import perf_counter
 
 import numpy as np
 import pytest
@@ -79,7 +80,7 @@ def test_reproduce(
 ) -> None:
     taken: list[float] = []
     call_it = reproduce(folder, store)
-    timed(benchmark, lambda: taken.append(seconds(call_it)), rounds=rounds)
+    timed(benchmark, lambda: taken.append(seconds(call_it, perf_counter)), rounds=rounds)
     results.add(WHOLE, call, f"{median(taken):.1f}")
 
 
@@ -98,7 +99,7 @@ def test_compiling(benchmark: BenchmarkFixture, results: Results, folder: Path) 
     environment = os.environ | {"NUMBA_CACHE_DIR": str(folder / "empty"), "PYTHONPATH": str(ROOT)}
     call = partial(subprocess.run, (sys.executable, "-c", code), env=environment, check=True)
     taken: list[float] = []
-    timed(benchmark, lambda: taken.append(seconds(call)))
+    timed(benchmark, lambda: taken.append(seconds(call, perf_counter)))
     results.add(WHOLE, "compiling everything, nothing else", f"{median(taken):.1f}")
 
 
@@ -142,7 +143,7 @@ def test_storing(benchmark: BenchmarkFixture, results: Results, folder: Path) ->
             "at once": partial(store.add, records),
         }
         calls["reading"] = lambda: list(store.records([record.task for record in records]))
-        taken = in_turns(benchmark, calls, rounds=5)
+        taken = in_turns(benchmark, calls, rounds=5, clock=perf_counter)
     for how in calls:
         part = "storing" if how != "reading" else "reading and checking"
         results.add(PARTS, part, f"{len(records)} runs, {how}", milliseconds(taken[how]))
@@ -190,7 +191,7 @@ def test_cores(benchmark: BenchmarkFixture, results: Results, tmp_path: Path) ->
         assert not failed
 
     calls = {"1": partial(run, 1), "2": partial(run, 2)}
-    taken = in_turns(benchmark, calls, rounds=3)
+    taken = in_turns(benchmark, calls, rounds=3, clock=perf_counter)
     one, two = median(taken["1"]), median(taken["2"])
     efficiency = median(a / (2 * b) for a, b in zip(taken["1"], taken["2"], strict=True))
     # the first of the searches is the untimed turn

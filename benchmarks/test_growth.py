@@ -18,19 +18,19 @@ FACTORS = (1, 2, 4, 8)
 ROUNDS = 15
 GROWTH = Section(
     title="Growth",
-    text=f"Exponent of the time of WOA on Rastrigin, a straight line fitted to the logarithms of "
+    text=f"Exponent of the time of PSO on Rastrigin, a straight line fitted to the logarithms of "
     f"{', '.join(map(str, FACTORS))} times population 30, dimension 30, 500 iterations, one run.",
     columns=("grows", "from [ms]", "to [ms]", "exponent"),
 )
 
 
 def runs(population: int, dimension: int, iterations: int, count: int) -> Callable[[], None]:
-    problem, whales = PROBLEMS["rastrigin"].problem(dimension), optimiser("WOA")
+    problem, swarm = PROBLEMS["rastrigin"].problem(dimension), optimiser("PSO")
     rng = np.random.default_rng(1)
 
     def call() -> None:
         for _ in range(count):
-            whales.minimise(problem, population=population, iterations=iterations, rng=rng)
+            swarm.minimise(problem, population=population, iterations=iterations, rng=rng)
 
     return call
 
