@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 
 from repro.claims import Sentence
+from repro.cluster import cluster
 from repro.errors import StoreError
-from repro.executors import checked_workers, cluster
+from repro.executors import checked_workers
 from repro.functions import FUNCTIONS
 from repro.model import Gap, Reading
 from repro.optimisers import DBO, DE, GA, GSA, GWO, PSO, WOA, HybridWOA, SteadyStateGA

@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from repro.__main__ import all_papers
+from repro.dispatch import run_all
 from repro.functions import FUNCTIONS
 from repro.model import Experiment, Paper
 from repro.optimisers import (
@@ -27,7 +28,7 @@ from repro.optimisers import (
     SteadyStateGA,
 )
 from repro.plan import Task, plan
-from repro.run import Record, execute, run_all
+from repro.run import Record, execute
 from repro.session import run_missing
 from repro.shifts import centred, shifted
 from repro.store import Store
