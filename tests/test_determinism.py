@@ -64,7 +64,11 @@ def tasks_of(key: str) -> tuple[Task, ...]:
     """Return small runs of every cell of a paper, its shifted functions among them."""
     paper = everything() if key == "everything" else all_papers()[key]
     experiments = [*paper.experiments]
-    experiments += [shifted(e, 0.1, floor=WOA(b=0.5)) for e in paper.experiments if centred(e)]
+    experiments += [
+        replace(shifted(e, 0.1, floor=WOA(b=0.5)), name=f"{e.name} [moved]")
+        for e in paper.experiments
+        if centred(e)
+    ]
     if LONG:  # other readings of the paper too
         experiments += [study.experiment for study in studies(paper, 10)]
     bare = replace(
