@@ -1,6 +1,7 @@
 """How many examples property-based tests try, and what the tests of faults counted.
 
-HYPOTHESIS_PROFILE is "tests" or "fuzz"; REPRO_FAULTS is "long" for the long form of the faults.
+HYPOTHESIS_PROFILE is "tests", "faults" or "fuzz"; REPRO_FAULTS is "long" for the long form of
+the faults.
 """
 
 import os
@@ -12,6 +13,7 @@ from hypothesis import settings
 # compiled kernels make the first example slow, so no example has a deadline
 settings.register_profile("tests", max_examples=200, deadline=None)
 settings.register_profile("fuzz", max_examples=10_000, deadline=None)
+settings.register_profile("faults", max_examples=2_000, deadline=None)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "tests"))
 
 _TALLY = pytest.StashKey[Counter[str]]()

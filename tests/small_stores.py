@@ -72,7 +72,7 @@ def reproduced(folder: Path) -> tuple[list[tuple[object, ...]], list[str], list[
 
 
 class InOrder(Executor):
-    """Runs each task at once and notes its name."""
+    """Runs each batch of tasks at once and notes their names."""
 
     def __init__(self, names: list[str]) -> None:
         """Note the names in a list."""
@@ -80,7 +80,7 @@ class InOrder(Executor):
 
     def submit(self, function: Any, /, *arguments: Any, **named: Any) -> Future[Any]:  # noqa: ANN401
         """Run at once."""
-        self._names.append(arguments[0].name)
+        self._names.extend(task.name for task in arguments[0])
         future: Future[Any] = Future()
         future.set_result(function(*arguments, **named))
         return future

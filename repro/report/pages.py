@@ -143,11 +143,12 @@ def index_files(results: Json, another_seed: Json | None = None) -> Files:
 
 
 @cache
-def _templates() -> Environment:
+def _templates(*, markdown: bool) -> Environment:
     environment = Environment(
         loader=PackageLoader("repro.report"),
         autoescape=select_autoescape(["html.jinja"]),
         undefined=StrictUndefined,
+        finalize=_without_tags if markdown else None,
         trim_blocks=True,
         lstrip_blocks=True,
         keep_trailing_newline=True,
@@ -172,7 +173,14 @@ def _templates() -> Environment:
 
 def render(name: str, context: Mapping[str, object]) -> str:
     """Return a page made of a template and what it shows."""
-    return _templates().get_template(f"{name}.jinja").render(context)
+    return _templates(markdown=name.endswith(".md")).get_template(f"{name}.jinja").render(context)
+
+
+def _without_tags(value: object) -> object:
+    """Return what a Markdown page may show: text can open no tag there, as HTML pages escape it."""
+    if isinstance(value, str) and not isinstance(value, Markup):
+        return value.replace("<", "&lt;")
+    return value
 
 
 def _time_cells(rows: Iterable[tuple[str, float, float]]) -> list[tuple[str, str, str]]:
