@@ -52,17 +52,24 @@ class _Flights:
         self.waiting: dict[Future[list[Record]], tuple[Task, ...]] = {}
         self._executor = executor
         self._done: SimpleQueue[Future[list[Record]]] = SimpleQueue()
-        self._single: list[tuple[Task, ...]] = []
+        self._suspects: list[Task] = []  # runs of lost batches
+        self._alone: Future[list[Record]] | None = None
 
     def submit(self, batches: Iterator[tuple[Task, ...]], workers: int) -> None:
-        """Hand out batches until enough are in flight, first those that are tried once more."""
-        while len(self.waiting) < workers * IN_FLIGHT:
-            batch = self._single.pop() if self._single else next(batches, None)
-            if batch is None:
-                break
-            future = self._executor.submit(execute_all, batch)
-            self.waiting[future] = batch
-            future.add_done_callback(self._done.put)
+        """Hand out batches until enough are in flight, and at the end each suspect alone.
+
+        Only then is it certain which of the runs that were lost together is to blame.
+        """
+        while len(self.waiting) < workers * IN_FLIGHT and (batch := next(batches, None)):
+            self._hand_out(batch)
+        if self._suspects and not self.waiting:
+            self._alone = self._hand_out((self._suspects.pop(0),))
+
+    def _hand_out(self, batch: tuple[Task, ...]) -> Future[list[Record]]:
+        future = self._executor.submit(execute_all, batch)
+        self.waiting[future] = batch
+        future.add_done_callback(self._done.put)
+        return future
 
     def landed(self) -> list[Future[list[Record]]]:
         """Wait for a batch and return all that are done."""
@@ -74,7 +81,7 @@ class _Flights:
     def outcome(self, future: Future[list[Record]]) -> list[Record]:
         """Return the records of a batch; those of a lost one are to be had one by one.
 
-        A run whose worker is lost for good, alone in its batch, is a failed run.
+        A run whose worker is lost for good while no other is in flight is a failed run.
         """
         batch = self.waiting[future]
         try:
@@ -82,8 +89,8 @@ class _Flights:
         except (CancelledError, ReproError):  # the whole cluster went away, or cannot be used
             raise
         except Exception as error:  # noqa: BLE001 (what a cluster says of a lost worker)
-            if len(batch) > 1:
-                self._single.extend((task,) for task in reversed(batch))
+            if future is not self._alone:
+                self._suspects.extend(batch)
                 return []
             return [failed(batch[0], f"its worker was lost: {type(error).__name__}: {error}", 0.0)]
 

@@ -54,7 +54,10 @@ def stopped(
         while runs_in(store) < 3 and time.monotonic() < limit:
             time.sleep(0.02)
         process.send_signal(by)
-        _, err = process.communicate(timeout=patience)
+        try:
+            _, err = process.communicate(timeout=patience)
+        finally:
+            process.kill()
     return process.returncode, err
 
 

@@ -7,7 +7,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
-from contextlib import closing
+from contextlib import closing, suppress
 from pathlib import Path
 
 import pytest
@@ -27,6 +27,7 @@ pytest.importorskip("distributed", reason="the extra `cluster` is not installed"
 ROOT = Path(__file__).parent.parent
 WHOLE = os.environ.get("REPRO_CLUSTER") == "whole"
 WORKERS = 4
+PATIENCE_SECONDS = 5
 STARTING_SECONDS = 60  # a busy machine takes a while to load Dask
 SAME = "key, paper, experiment, problem, algorithm, repeat, run, cost, x, evaluations, reason, y"
 """Columns that say what a run gave; how long it took is another matter."""
@@ -46,14 +47,14 @@ class Dask:
         self.address = f"tcp://127.0.0.1:{self.port}"
         self.workers: list[subprocess.Popen[bytes]] = []
 
-    def start(self, workers: int) -> None:
-        """Start the scheduler and workers of one thread each."""
+    def start(self, workers: int, nanny: str = "--no-nanny") -> None:
+        """Start the scheduler and workers of one thread each; a nanny replaces those that die."""
         self.scheduler = self._start("dask_scheduler", "--port", str(self.port))
         limit = time.monotonic() + STARTING_SECONDS
         while not self._listens() and time.monotonic() < limit:
             time.sleep(0.1)
         self.workers = [
-            self._start("dask_worker", self.address, "--nthreads", "1", "--no-nanny")
+            self._start("dask_worker", self.address, "--nthreads", "1", nanny)
             for _ in range(workers)
         ]
 
@@ -73,7 +74,11 @@ class Dask:
 
     def stop(self) -> None:
         """Kill whatever still runs."""
+        for process in self.workers:
+            process.terminate()  # so that a nanny takes its worker along
         for process in (*self.workers, self.scheduler):
+            with suppress(subprocess.TimeoutExpired):
+                process.wait(PATIENCE_SECONDS if process is not self.scheduler else 0)
             process.kill()
             process.wait()
 
@@ -170,10 +175,10 @@ def test_task_that_kills_its_workers_is_named_and_the_others_finish(
 ) -> None:
     (tmp_path / "lives").mkdir()
     tasks = (
-        *tasks_of(deadly=deadly(tmp_path / "lives", 4))[:1],
+        *tasks_of(deadly=deadly(tmp_path / "lives", 8))[:1],
         *tasks_of(telling=Telling()),
     )
-    dask.start(6)
+    dask.start(2, "--nanny")
 
     failed = run(tmp_path / "store", tasks, dask, quiet)
 
