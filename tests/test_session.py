@@ -49,7 +49,7 @@ def tasks() -> list[Task]:
         algorithms={"WOA": WOA()},
         runs=8,
     )
-    return list(plan([replace(PAPER, experiments=(EXPERIMENT, compiled))], 2))
+    return list(plan([replace(PAPER, experiments=(EXPERIMENT, compiled))], 2, protocol_only=True))
 
 
 def test_records_are_the_same_with_any_number_of_workers(tmp_path: Path, tasks: list[Task]) -> None:
