@@ -180,7 +180,13 @@ def _again(options: argparse.Namespace) -> int:
     (paper,) = _chosen([options.key])
     workers = checked_workers(options.workers)
     with local(workers) as executor:
-        found = run_again(paper, options.name, executor=executor, workers=workers)
+        found = run_again(
+            paper,
+            options.name,
+            executor=executor,
+            workers=workers,
+            master_seed=options.master_seed,
+        )
     sys.stdout.write(found.text)
     return 0
 

@@ -49,7 +49,9 @@ class Again:
         )
 
 
-def run_again(paper: Paper, name: str, *, executor: Executor, workers: int) -> Again:
+def run_again(
+    paper: Paper, name: str, *, executor: Executor, workers: int, master_seed: str = ""
+) -> Again:
     """Run the first repeat of what one claim needs; `name` is its identifier on the pages.
 
     Raises InputError where no claim, or more than one, has that name and where the paper lacks
@@ -61,7 +63,9 @@ def run_again(paper: Paper, name: str, *, executor: Executor, workers: int) -> A
         message = f"{name} cannot be run: {why}"
         raise InputError(message)
     needed = set(claim.measure.cells())
-    tasks = [t for t in plan([paper], 1) if (t.experiment, t.problem, t.algorithm) in needed]
+    tasks = [
+        t for t in plan([paper], 1, master_seed) if (t.experiment, t.problem, t.algorithm) in needed
+    ]
     with TemporaryDirectory() as folder, Store(Path(folder)) as store:
         failed = run_missing(
             store, tasks, executor=executor, workers=workers, environment=dict, report=_silent

@@ -80,10 +80,11 @@ def _add_runs(parsers: Mapping[str, argparse.ArgumentParser]) -> None:
         "--processes", action="store_true", help="every run in a process, safe from its crash"
     )
     reproduce.add_argument("--dask", metavar="ADDRESS", help="use the Dask cluster at this address")
-    for name in ("reproduce", "report"):
+    for name in ("reproduce", "report", "again"):
         parsers[name].add_argument(
             "--master-seed", default="", metavar="TEXT", help="makes every run another one"
         )
+    for name in ("reproduce", "report"):
         parsers[name].add_argument(
             "--protocol-only", action="store_true", help="no readings, shifts or baselines besides"
         )

@@ -13,9 +13,9 @@ from tests.made_up import pages_of
 from tests.small_papers import Failing
 
 
-def again(name: str, paper: Paper = PAPER) -> Again:
+def again(name: str, paper: Paper = PAPER, master_seed: str = "") -> Again:
     with ThreadPoolExecutor(2) as executor:
-        return run_again(paper, name, executor=executor, workers=2)
+        return run_again(paper, name, executor=executor, workers=2, master_seed=master_seed)
 
 
 def test_the_number_comes_out_as_the_page_shows_it(tmp_path: Path) -> None:
@@ -69,3 +69,9 @@ def test_a_run_that_fails_is_named() -> None:
 
     with pytest.raises(RunFailedError, match=r"doe2021/test/F1/WOA/1/. failed: .*lost the way"):
         again("table-2-f1-mean-woa", paper)
+
+
+def test_another_master_seed_gives_another_number_and_the_same_one_each_time() -> None:
+    first, second = (again("table-2-f1-mean-woa", master_seed="b").value for _ in range(2))
+
+    assert first == second != again("table-2-f1-mean-woa").value

@@ -1,10 +1,12 @@
 import math
 import re
+import shlex
 
 import pytest
 
 from repro.published import Printed
 from repro.report.words import (
+    again_command,
     anchor,
     difference,
     digits_for,
@@ -108,3 +110,11 @@ def test_text_in_a_markdown_cell_opens_nothing(text: str) -> None:
     safe = markdown_cell(text)
 
     assert not re.search(r"(?<!\\)\||<|\]\(|\n", safe)
+
+
+@pytest.mark.parametrize("seed", ["", "2", "two words", "'; rm -r ~"])
+def test_what_is_to_be_typed_names_the_master_seed_as_one_word(seed: str) -> None:
+    typed = again_command("doe2021", "table-2-f1-mean-woa", seed)
+
+    words = ["nox", "-s", "again", "--", "doe2021", "table-2-f1-mean-woa"]
+    assert shlex.split(typed) == words + (["--master-seed", seed] if seed else [])

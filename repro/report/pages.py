@@ -34,7 +34,7 @@ from repro.report.results import (
 from repro.report.runs_view import runs_view
 from repro.report.search import search_rows
 from repro.report.view import Shown, everything, table_view, tallies
-from repro.report.words import MEANINGS, SYMBOLS, anchor, markdown_cell, number
+from repro.report.words import MEANINGS, SYMBOLS, again_command, anchor, markdown_cell, number
 from repro.session import gather
 from repro.store import Store
 from repro.studies import studies
@@ -64,6 +64,7 @@ def write_report(
         own = [task for task in tasks if task.paper == paper.key]
         evidence = gather(store, paper, own, studies(paper, max(task.repeat for task in own)))
         provenance = _provenance(evidence, store.environments(own))
+        provenance["master_seed"] = own[0].seed
         entries.append(_paper_files(paper, evidence, provenance, files))
     old = read_results(folder / "results.json")
     results = merged(entries, old, [paper.key for paper in known])
@@ -166,7 +167,7 @@ def _templates(*, markdown: bool) -> Environment:
         "comparison_rows": lambda c: [(problem, *texts) for problem, texts in c.rows],
         "cell": markdown_cell,
     }
-    environment.globals["viewer"] = viewer
+    environment.globals |= {"viewer": viewer, "again_command": again_command}
     environment.globals |= {"SYMBOLS": SYMBOLS, "MEANINGS": MEANINGS, "VERDICTS": tuple(Verdict)}
     return environment
 

@@ -2,6 +2,7 @@
 
 import math
 import re
+import shlex
 from collections.abc import Iterable
 
 from markupsafe import Markup, escape
@@ -126,3 +127,9 @@ def markdown_cell(text: object) -> str:
     """Return text that stays one cell of a Markdown table and can open no tag and no link."""
     plain = " ".join(str(text).split("\n"))
     return plain.replace("|", "\\|").replace("<", "&lt;").replace("](", "]\\(")
+
+
+def again_command(paper: str, name: str, master_seed: str) -> str:
+    """Return what to type to see a number come out again, fit for a shell whatever the seed is."""
+    seed = ("--master-seed", master_seed) if master_seed else ()
+    return shlex.join(("nox", "-s", "again", "--", paper, name, *seed))
