@@ -80,6 +80,11 @@ class Small:
         return np.array(self.box)
 
     @property
+    def scratch(self) -> int:
+        """All of the data: the cost notes there what it was asked."""
+        return len(self.data)
+
+    @property
     def identity(self) -> tuple[object, ...]:
         """The name alone."""
         return (self.name,)
