@@ -1,11 +1,13 @@
 """Coverage-guided fuzzing with atheris: python -m tests.fuzzing table|store|page [-options]."""
 
 import sys
+import tempfile
+from pathlib import Path
 
 import atheris
 
 with atheris.instrument_imports(include=["repro.published", "repro.store", "repro.rows"]):
-    from tests.hostile import TARGETS
+    from tests.hostile import STRINGS, TARGETS
 
 
 def main() -> None:
@@ -13,10 +15,13 @@ def main() -> None:
     target = TARGETS[sys.argv.pop(1)]
 
     def once(data: bytes) -> None:
-        target(atheris.FuzzedDataProvider(data).ConsumeUnicodeNoSurrogates(len(data)))
+        target(data.decode(errors="replace"))
 
-    atheris.Setup(sys.argv, once)
-    atheris.Fuzz()
+    with tempfile.TemporaryDirectory() as seeds:
+        for number, text in enumerate(STRINGS):
+            (Path(seeds) / str(number)).write_bytes(text.encode())
+        atheris.Setup([*sys.argv, seeds], once)
+        atheris.Fuzz()
 
 
 if __name__ == "__main__":
