@@ -39,6 +39,7 @@ STRINGS = (
     "A" * 3000,
     "\ud7ff\ufffe\U0001f980",
     "&lt;&amp;&#60;",
+    "$\\frac{$_^",
 )
 
 

@@ -1,26 +1,38 @@
-"""Nothing that is read back can run code: no eval, and pickle only between own processes."""
+"""Nothing that is read back from a file can run code: no pickle and no eval."""
 
 import ast
+from pathlib import Path
 
+import pytest
+
+from repro.sources import _closure
 from tests.test_architecture import SOURCES, imports, tree
 
 UNSAFE = {"pickle", "cPickle", "_pickle", "marshal", "shelve", "dill", "cloudpickle", "joblib"}
-TO_WORKERS = {"packing.py", "processes.py"}  # tasks and records on their way, never on disk
 CALLS = {"eval", "exec", "compile", "__import__"}
 
 
-def test_only_what_talks_to_workers_can_unpickle() -> None:
-    assert {source.name for source in SOURCES if UNSAFE & set(imports(source))} == TO_WORKERS
+READERS = ("repro.store", "repro.verify", "repro.report.results", "repro.report.files")
 
 
-def test_what_reads_the_store_knows_nothing_of_workers() -> None:
-    readers = {"store.py", "rows.py", "salvage.py", "schema.py", "results.py"}
-    packers = {f"repro.{name.removesuffix('.py')}" for name in TO_WORKERS}
+@pytest.mark.parametrize("reader", READERS)
+def test_what_reads_files_back_imports_nothing_that_can_unpickle(reader: str) -> None:
+    modules = _closure((reader,))
+    files = [
+        source
+        for source in SOURCES
+        if source.with_suffix("").as_posix().replace("/", ".") in modules
+    ]
 
-    found = {source.name: set(imports(source)) for source in SOURCES if source.name in readers}
+    assert Path(f"{reader.replace('.', '/')}.py") in files
+    assert [source for source in files if UNSAFE & set(imports(source))] == []
 
-    assert found.keys() == readers
-    assert all(packers.isdisjoint(names) for names in found.values())
+
+def test_pickles_are_for_workers_of_ones_own_alone() -> None:
+    assert {source.stem for source in SOURCES if UNSAFE & set(imports(source))} <= {
+        "packing",  # tasks on their way to a worker
+        "processes",  # records on their way back through a pipe
+    }
 
 
 def test_no_array_is_loaded_with_pickles_allowed() -> None:
