@@ -56,7 +56,9 @@ class Dask:
         while not self._listens() and time.monotonic() < limit:
             time.sleep(0.1)
         self.workers = [
-            self._start("dask_worker", self.address, "--nthreads", "1", nanny)
+            self._start(
+                "dask_worker", self.address, "--nthreads", "1", nanny, "--death-timeout", "30"
+            )
             for _ in range(workers)
         ]
 
