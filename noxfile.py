@@ -55,6 +55,20 @@ def report(session: nox.Session) -> None:
         _readme(session)
 
 
+@nox.session(name="another-seed")
+def another_seed(session: nox.Session) -> None:
+    """Run every protocol under another master seed, and say on the index what it changes."""
+    _install(session, "run")
+    repeats = ("--repeats", *(session.posargs or ["20"]))
+    places = ("--store", ".repro/another-seed", "--reports", ".repro/another-seed/reports")
+    again = ("--protocol-only", "--master-seed", "another", *repeats, *places)
+    session.run("repro", "reproduce", *again, env=ONE_THREAD)
+    results = ("reports/results.json", ".repro/another-seed/reports/results.json")
+    told = session.run("repro", "flips", *results, "--json", silent=True)
+    pathlib.Path("reports/another-seed.json").write_text(str(told), encoding="utf-8")
+    session.run("repro", "report", *repeats, env=ONE_THREAD)
+
+
 @nox.session
 def again(session: nox.Session) -> None:
     """Run one printed number again: -- KEY NAME, as its page calls it."""

@@ -77,9 +77,13 @@ def write_report(
 
 def _provenance(evidence: Evidence, environments: list[dict[str, object]]) -> dict[str, object]:
     runs = evidence.runs.values()
+    protocol = {experiment.name for experiment in evidence.paper.experiments}
     return {
         "repeats": max((len(cell.costs) for cell in runs), default=0),
         "runs": sum(cell.costs.size for cell in runs),
+        "protocol_runs": sum(
+            found.costs.size for (name, *_), found in evidence.runs.items() if name in protocol
+        ),
         "environments": environments,
     }
 
