@@ -6,6 +6,7 @@ run: the first run of every joint makes the arm's first run, and so on.
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from types import MappingProxyType
 from typing import ClassVar, Literal
 
@@ -73,6 +74,9 @@ class Together:
 
     def measure(self, evidence: Evidence) -> Measured:
         """Return the statistic of the first repeat and of resampled tables."""
+        return evidence.remember(self, partial(self._measure, evidence))
+
+    def _measure(self, evidence: Evidence) -> Measured:
         parts = np.array([evidence.values(cell, self.quantity) for cell in self.cells()])
         combined = _COMBINED[self.combination](parts)
         return _summarised(combined, self.statistic, evidence, self.experiment, self.algorithm)
@@ -195,10 +199,12 @@ class Sensitivity:
         problems = evidence.experiment(self.experiment).problems
         changes = []
         for name in self.problems:
-            before, after = (
+            pair = [
                 evidence.runs[experiment, name, self.algorithm].points
                 for experiment in (self.experiment, self.shifted)
-            )
+            ]
+            both = min(map(len, pair))  # under another reading one of them has fewer repeats
+            before, after = (points[:both] for points in pair)
             changes.append(_greatest_difference(before, after, problems[name]) / self.shift)
         combined = _COMBINED["largest"](np.array(changes))
         return _summarised(combined, "median", evidence, self.experiment, self.algorithm)

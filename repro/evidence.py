@@ -3,6 +3,7 @@
 import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import Any, TypeVar
 
 import numpy as np
@@ -30,6 +31,8 @@ class Runs:
     histories: Vector
     evaluations: int
     seconds: float = 0.0
+    part_of: "tuple[Runs, slice] | None" = None
+    known: dict[str, Vector] = field(default_factory=dict, compare=False, repr=False)
 
     def repeats(self, which: slice) -> "Runs":
         """Return some of the repeats."""
@@ -38,7 +41,18 @@ class Runs:
             costs=self.costs[which],
             points=self.points[which],
             histories=self.histories[which],
+            part_of=(self, which),
+            known={},
         )
+
+    def measured(self, quantity: str, measure: Callable[[Vector], Vector]) -> Vector:
+        """Return what `measure` makes of the points, made once for all that ask, and for parts."""
+        if self.part_of:
+            whole, which = self.part_of
+            return whole.measured(quantity, measure)[which]
+        if quantity not in self.known:
+            self.known[quantity] = measure(self.points)
+        return self.known[quantity]
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,5 +125,4 @@ class Evidence:
         if not hasattr(problem, "quantity"):
             message = f"{'/'.join(cell)}: no quantity {quantity!r}, only the cost"
             raise DeclarationError(message)
-        measured: Vector = problem.quantity(quantity, runs.points)
-        return measured
+        return runs.measured(quantity, partial(problem.quantity, quantity))

@@ -1,7 +1,7 @@
 """Measures that compare algorithms over several problems at once: mean ranks and rank-sum tests."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from types import MappingProxyType
 from typing import ClassVar, Literal
@@ -201,12 +201,21 @@ class RankSum:
 
     def measure(self, evidence: Evidence) -> Measured:
         """Return p or sign in the first repeat and in resampled tables."""
+        return evidence.remember(self, partial(self._measure, evidence))
+
+    def _measure(self, evidence: Evidence) -> Measured:
+        test = replace(self, sign=False)
+        p, lower = evidence.remember(("test", test), partial(test.test, evidence))
+        found = np.where(p < LEVEL, np.where(lower, 1.0, -1.0), 0.0) if self.sign else p
+        return _measured(found, len(evidence.values(self.cells()[0])))
+
+    def test(self, evidence: Evidence) -> tuple[Vector, NDArray[np.bool_]]:
+        """Return p in the first repeat and in resampled tables, and whether costs rank lower."""
         own, others = (self._tables(evidence, name) for name in (self.algorithm, self.against))
         p, lower = _test(self._sample(own), self._sample(others))
         if self.samples == "each problem":
             p = np.mean([_test(x, y)[0] for x, y in zip(own, others, strict=True)], axis=0)
-        found = np.where(p < LEVEL, np.where(lower, 1.0, -1.0), 0.0) if self.sign else p
-        return _measured(found, len(evidence.values(self.cells()[0])))
+        return p, lower
 
     def _sample(self, tables: list[Vector]) -> Vector:
         """Return what is ranked together, shape (1 + tables, values)."""

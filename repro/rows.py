@@ -68,10 +68,12 @@ def unpack(blob: object, packed: object) -> bytes | None:
 
 def digest(values: Values, environment: object, curve: bytes) -> str:
     """Return the digest of everything that a row says."""
-    state = hashlib.sha256()
-    for value in (*values, environment):
-        text = value.hex() if isinstance(value, float | bytes) else repr(value)
-        state.update(f"{type(value).__name__}:{text}\0".encode())
+    texts = (
+        f"{type(value).__name__}:"
+        f"{value.hex() if isinstance(value, float | bytes) else repr(value)}\0"
+        for value in (*values, environment)
+    )
+    state = hashlib.sha256("".join(texts).encode())
     state.update(curve)
     return state.hexdigest()
 

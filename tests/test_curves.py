@@ -189,6 +189,29 @@ def test_sensitivity_is_the_change_of_the_curve_over_the_shift() -> None:
     assert passed_on(0.3, 0.27) == pytest.approx(3.0)
 
 
+def test_sensitivity_pairs_the_repeats_that_both_experiments_have() -> None:
+    rng = np.random.default_rng(1)
+    few, many = rng.normal(size=(1, 3, 6)), rng.normal(size=(2, 3, 6))
+    measure = Sensitivity(
+        experiment="arm", shifted="shifted", problems=("left",), algorithm="WOA", shift=0.01
+    )
+
+    found, first = (
+        measure.measure(
+            Evidence(
+                PAPER,
+                {
+                    ("arm", "left", "WOA"): runs(FLAT, points),
+                    ("shifted", "left", "WOA"): runs(FLAT, few),
+                },
+            )
+        )
+        for points in (many, many[:1])
+    )
+
+    assert (found.value, found.repeats) == (first.value, 1)
+
+
 def test_planned_quantity_is_that_of_the_desired_paths() -> None:
     paths = tuple(FITS.values())
 

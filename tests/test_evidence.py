@@ -61,3 +61,25 @@ def test_cells_that_were_not_run_are_absent() -> None:
 
     assert set(found.runs) == {CELL}
     assert isinstance(found.runs[CELL], Runs)
+
+
+def test_quantity_is_measured_once_for_all_that_ask_and_for_parts() -> None:
+    asked: list[int] = []
+
+    def norm(points: Vector) -> Vector:
+        asked.append(len(points))
+        return np.asarray(np.linalg.norm(points, axis=-1))
+
+    runs = Runs(
+        costs=np.zeros((4, 3)),
+        points=np.arange(24.0).reshape(4, 3, 2),
+        histories=np.zeros((1, 3, 5)),
+        evaluations=20,
+    )
+    odd, even = (runs.repeats(slice(first, None, 2)) for first in (0, 1))
+
+    found = [part.measured("norm", norm) for part in (odd, runs, even)]
+
+    assert asked == [4]
+    assert (found[0] == found[1][::2]).all()
+    assert (found[2] == found[1][1::2]).all()
