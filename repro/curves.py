@@ -5,7 +5,7 @@ run: the first run of every joint makes the arm's first run, and so on.
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from types import MappingProxyType
 from typing import ClassVar, Literal
@@ -119,8 +119,9 @@ class Effort:
     """Median evaluations until the norm of the costs of several problems falls to a target.
 
     The target is one that every algorithm of `among` reaches in half of its runs: the highest of
-    their median final norms over all repeats. A run that never reaches it counts as infinite. The
-    evaluations of a run are shared out equally among its iterations.
+    their median final norms, over the first repeat for its value and over all repeats for how much
+    it varies. A run that never reaches it counts as infinite. The evaluations of a run are shared
+    out equally among its iterations.
     """
 
     follows: ClassVar[bool] = True
@@ -143,15 +144,20 @@ class Effort:
 
     def measure(self, evidence: Evidence) -> Measured:
         """Return the effort in the first repeat and in resampled tables."""
-        target = max(
-            float(np.median(self._history(evidence, name)[..., -1])) for name in self.among
-        )
-        history = self._history(evidence, self.algorithm)
+        histories = {name: self._history(evidence, name) for name in self.among}
+        first = {name: history[:1] for name, history in histories.items()}
+        own, name = self.algorithm, self.experiment
+        measured = _summarised(self._effort(evidence, histories), "median", evidence, name, own)
+        return replace(measured, value=float(np.median(self._effort(evidence, first))))
+
+    def _effort(self, evidence: Evidence, histories: Mapping[str, Vector]) -> Vector:
+        """Return the evaluations of each run until the target of these repeats."""
+        target = max(float(np.median(history[..., -1])) for history in histories.values())
+        history = histories[self.algorithm]
         reached = history <= target
         iterations = np.where(reached.any(axis=-1), reached.argmax(axis=-1) + 1.0, np.inf)
         each = evidence.runs[self._of(self.algorithm)[0]].evaluations / history.shape[-1]
-        effort = each * iterations
-        return _summarised(effort, "median", evidence, self.experiment, self.algorithm)
+        return np.asarray(each * iterations)
 
     def _of(self, algorithm: str) -> tuple[Cell, ...]:
         return tuple((self.experiment, problem, algorithm) for problem in self.problems)
