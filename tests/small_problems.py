@@ -73,16 +73,12 @@ class Small:
     data: Vector
     box: tuple[tuple[float, float], ...]
     name: str
+    scratch: int = 0
 
     @property
     def bounds(self) -> Vector:
         """The box as an array, shape (n, 2)."""
         return np.array(self.box)
-
-    @property
-    def scratch(self) -> int:
-        """All of the data: the cost notes there what it was asked."""
-        return len(self.data)
 
     @property
     def identity(self) -> tuple[object, ...]:

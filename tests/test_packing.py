@@ -38,7 +38,8 @@ def test_tasks_of_a_cell_share_what_they_have_in_common() -> None:
 
 def test_kernel_that_no_module_names_travels_whole() -> None:
     task = plan([searching(WOA=WOA())], 1)[0]
-    unnamed = replace(task, subject=small("rosenbrock"))
+    noting = small("rosenbrock")
+    unnamed = replace(task, subject=replace(noting, scratch=len(noting.data)))
 
     (again,) = unpack(pack((unnamed,)))
 
