@@ -32,11 +32,6 @@ class Variation:
             for assumption, alternative in zip(self.of, self.alternatives, strict=True)
         )
 
-    @property
-    def runs_anything(self) -> bool:
-        """Whether runs are needed, or only other claims on the same runs."""
-        return any(a.algorithms or a.problems or a.protocol for a in self.alternatives)
-
     def touching(self, experiment: str) -> "Variation":
         """Return what of it changes an experiment, by whose name its runs are named."""
         kept = [
