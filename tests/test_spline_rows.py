@@ -40,8 +40,9 @@ def test_rows_are_the_velocity_and_acceleration_of_the_motion(
     speed = own.least * MODEL.velocity[joint] / dot(own.weights, h)
     bending = turn * MODEL.acceleration[joint] / slope**3
     assert float(speed) == pytest.approx(abs(found[0][joint]), rel=1e-9, abs=1e-9)
-    # by doubles, terms of up to 1 / slope³ = 1e6 cancel
-    assert float(bending) == pytest.approx(found[1][joint], rel=1e-9, abs=1e-7)
+    # by doubles, terms that cancel are divided by slope³: at 0.0107 that was seen to leave 5e-9
+    slack = 1e-9 + 5e-14 / float(slope) ** 3
+    assert float(bending) == pytest.approx(found[1][joint], rel=1e-9, abs=slack)
 
 
 @given(spans, joints, places, signs, durations, durations, st.data())
