@@ -20,7 +20,7 @@ _LOCK = threading.Lock()
 
 def _digest() -> str:
     rooms = ("functions", "optimisers", "robotics")
-    sources = [_PACKAGE / "compiled.py", _PACKAGE / "draws.py"]
+    sources = [_PACKAGE / name for name in ("compiled.py", "draws.py", "waves.py")]
     sources += [path for room in rooms for path in sorted((_PACKAGE / room).glob("*.py"))]
     text = b"".join(path.read_bytes() for path in sources)
     return hashlib.sha256(text).hexdigest()[:16]
@@ -31,8 +31,10 @@ _CACHED = bool(numba.config.CACHE_DIR) or os.access(_PACKAGE, os.W_OK)
 if not numba.config.CACHE_DIR:
     numba.config.CACHE_DIR = str(_CACHE)
 
-jit = numba.njit(nogil=True, cache=_CACHED)
-"""Decorator of every compiled function: no Python objects, no GIL, cached on disk."""
+jit = numba.njit(nogil=True, cache=_CACHED, error_model="numpy")
+"""Decorator of every compiled function: no Python objects, no GIL, cached on disk.
+
+A division by zero gives what IEEE 754 says, not an exception."""
 
 VECTOR = float64[::1]
 COST = float64(VECTOR, VECTOR)

@@ -27,7 +27,7 @@ class Given:
     def of(cls, problem: Problem) -> Self:
         """Return the problem with copies of its bounds and data.
 
-        A cost that needs room for numbers of its own has it at the end of the data, and says how
+        A cost that needs room for numbers of its own has it at the start of the data, and says how
         much by an attribute `scratch` of the problem.
         """
         bounds, data = np.array(problem.bounds), np.array(problem.data)
@@ -51,7 +51,7 @@ class Given:
 
 
 def _bytes(problem: Problem, bounds: Vector, data: Vector) -> tuple[bytes, bytes]:
-    return bounds.tobytes(), data[: len(data) - getattr(problem, "scratch", 0)].tobytes()
+    return bounds.tobytes(), data[getattr(problem, "scratch", 0) :].tobytes()
 
 
 def fault(

@@ -21,17 +21,26 @@ def state_from(rng: np.random.Generator) -> NDArray[np.uint64]:
 
 
 @jit
+def _scrambled(word):
+    word = word * _5
+    return ((word << _7) | (word >> _57)) * _9
+
+
+@jit
+def _stepped(a, b, c, d):
+    shifted = b << _17
+    c ^= a
+    d ^= b
+    b ^= c
+    a ^= d
+    return a, b, c ^ shifted, (d << _45) | (d >> _19)
+
+
+@jit
 def next_word(state):
     """Return the next 64 random bits and advance `state`."""
-    word = state[1] * _5
-    word = ((word << _7) | (word >> _57)) * _9
-    shifted = state[1] << _17
-    state[2] ^= state[0]
-    state[3] ^= state[1]
-    state[1] ^= state[2]
-    state[0] ^= state[3]
-    state[2] ^= shifted
-    state[3] = (state[3] << _45) | (state[3] >> _19)
+    word = _scrambled(state[1])
+    state[0], state[1], state[2], state[3] = _stepped(state[0], state[1], state[2], state[3])
     return word
 
 
@@ -39,6 +48,21 @@ def next_word(state):
 def uniform(state):
     """Return a draw from U[0, 1) with 53 random bits."""
     return (next_word(state) >> _11) * _UNIT
+
+
+@jit
+def fill(draws, words, state):
+    """Fill `draws` with what as many calls of `uniform` return; `words` is room for as many words.
+
+    Faster than the calls: the state stays in registers, and the second loop vectorises.
+    """
+    a, b, c, d = state[0], state[1], state[2], state[3]
+    for k in range(len(draws)):
+        words[k] = b
+        a, b, c, d = _stepped(a, b, c, d)
+    state[0], state[1], state[2], state[3] = a, b, c, d
+    for k in range(len(draws)):
+        draws[k] = (_scrambled(words[k]) >> _11) * _UNIT
 
 
 @jit

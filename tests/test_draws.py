@@ -8,7 +8,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from repro.draws import below, next_word, normal, state_from, uniform
+from repro.draws import below, fill, next_word, normal, state_from, uniform
 from repro.optimisers.tent_map import tent
 
 WORD = 2**64
@@ -50,6 +50,17 @@ def test_words_are_those_of_plain_integers(start: list[int]) -> None:
     state = array(start)
 
     assert [int(next_word(state)) for _ in range(50)] == words(start, 50)
+
+
+@pytest.mark.parametrize("count", [0, 1, 2, 3, 4, 7, 8, 29, 60, 180])
+def test_filling_draws_the_same_numbers_as_one_call_after_the_other(count: int) -> None:
+    at_once, one_by_one = array([1, 2, 3, 4]), array([1, 2, 3, 4])
+    draws = np.empty(count)
+
+    fill(draws, np.empty(count, dtype=np.uint64), at_once)
+
+    assert draws.tolist() == [uniform(one_by_one) for _ in range(count)]
+    assert at_once.tolist() == one_by_one.tolist()
 
 
 def test_state_is_four_words_of_the_generator_and_moves_it_on() -> None:

@@ -6,6 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
+from repro.compiled import COST, ready
 from repro.errors import InputError
 from repro.functions import FUNCTIONS, Function
 from tests.twins.functions import FORMULAS
@@ -153,6 +154,17 @@ def test_problem_repeats_the_box_in_every_dimension(function: Function) -> None:
     problem = function.problem(dimension=7)
 
     assert problem.bounds.tolist() == [list(function.box[0])] * 7
+
+
+@pytest.mark.parametrize("name", ["rastrigin", "ackley", "penalized_1", "penalized_2"])
+def test_value_does_not_depend_on_what_the_room_holds(name: str) -> None:
+    problem = FUNCTIONS[name].problem(7)
+    x, room = np.random.default_rng(1).uniform(-5.0, 5.0, 7), problem.data
+    cost = ready(problem.kernel, COST)
+
+    assert len(room) == problem.scratch == 7
+    assert cost(x, room) == cost(x, room) == cost(x, np.full(7, np.nan)) == FUNCTIONS[name](x)
+    assert problem.data is not problem.data  # two threads may not share it
 
 
 @pytest.mark.parametrize("function", FIXED, ids=lambda f: f.name)

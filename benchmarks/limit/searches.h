@@ -74,7 +74,7 @@ SEARCH woa(cost_function *cost, const double *bounds, int64_t n, int64_t populat
                         x[j] = leader - A * fabs(C * leader - x[j]);
                     }
             } else {
-                double turn = exp(b * l) * cos(2.0 * M_PI * l);
+                double turn = exp(b * l) * cosine_of_turns(l);
                 for (int64_t j = 0; j < n; j++) /* Eq. (2.5) */
                     x[j] = fabs(best[j] - x[j]) * turn + best[j];
             }

@@ -10,7 +10,6 @@ from repro.compiled import COST, ready
 from repro.errors import InputError
 
 Vector = NDArray[np.float64]
-NO_DATA: Vector = np.zeros(0)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -19,7 +18,8 @@ class Function:
 
     `box` holds (lower, upper) per coordinate, one pair for all coordinates where the dimension
     is free; `at` holds one minimiser in the same way. `minimum` is the true minimum in exact
-    arithmetic.
+    arithmetic. A kernel that `needs_room` writes n numbers of its own into its second argument, so
+    that the loop with the sines is one that vectorises, and the sum keeps its order.
     """
 
     name: str
@@ -30,6 +30,7 @@ class Function:
     at: tuple[float, ...]
     source: str
     fixed_dimension: int | None = None
+    needs_room: bool = False
 
     def __call__(self, x: Vector) -> float:
         """Return the value at one point of shape (n,)."""
@@ -37,8 +38,8 @@ class Function:
         if point.ndim != 1:
             message = f"{self.name} takes one point of shape (n,), not an array of {point.shape}"
             raise InputError(message)
-        self._checked(len(point))
-        return float(ready(self.kernel, COST)(point, NO_DATA))
+        problem = self.problem(len(point))
+        return float(ready(self.kernel, COST)(point, problem.data))
 
     def minimiser(self, dimension: int | None = None) -> Vector:
         """Return one point of shape (dimension,) that attains the minimum."""
@@ -81,8 +82,13 @@ class BenchmarkProblem:
 
     @property
     def data(self) -> Vector:
-        """Nothing: a benchmark function has no parameters."""
-        return NO_DATA
+        """Room for the kernel, where it needs any, shape (scratch,); a new array each time."""
+        return np.zeros(self.scratch)
+
+    @property
+    def scratch(self) -> int:
+        """How many numbers at the start of the data the cost writes over."""
+        return self.dimension if self.function.needs_room else 0
 
     @property
     def identity(self) -> tuple[object, ...]:

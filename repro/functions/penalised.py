@@ -8,6 +8,7 @@ import math
 
 from repro.compiled import jit
 from repro.functions.function import Function
+from repro.waves import squared_sine
 
 _YAO = "Yao, Liu & Lin (1999)"
 
@@ -23,37 +24,39 @@ def _outside(x, a, k, m):
 
 
 @jit
-def _squared_sine(angle):
-    sine = math.sin(angle)
-    return sine * sine
-
-
-@jit
-def _penalized_1(x, data):  # noqa: ARG001 (every cost kernel has the same two arguments)
+def _penalized_1(x, room):
     n = len(x)
-    y = 1.0 + (x[0] + 1.0) / 4.0
-    total = 10.0 * _squared_sine(math.pi * y)
+    for i in range(n):
+        room[i] = squared_sine(math.pi * _raised(x[i]))
+    total = 10.0 * room[0]
     penalty = _outside(x[0], 10.0, 100.0, 4)
     for i in range(1, n):
-        y_next = 1.0 + (x[i] + 1.0) / 4.0
-        total += (y - 1.0) * (y - 1.0) * (1.0 + 10.0 * _squared_sine(math.pi * y_next))
+        before = _raised(x[i - 1]) - 1.0
+        total += before * before * (1.0 + 10.0 * room[i])
         penalty += _outside(x[i], 10.0, 100.0, 4)
-        y = y_next
-    total += (y - 1.0) * (y - 1.0)
+    last = _raised(x[n - 1]) - 1.0
+    total += last * last
     return math.pi / n * total + penalty
 
 
 @jit
-def _penalized_2(x, data):  # noqa: ARG001
+def _raised(value):
+    return 1.0 + (value + 1.0) / 4.0
+
+
+@jit
+def _penalized_2(x, room):
     n = len(x)
-    total = _squared_sine(3.0 * math.pi * x[0])
+    for i in range(n):
+        room[i] = squared_sine(3.0 * math.pi * x[i])
+    total = room[0]
     penalty = _outside(x[0], 5.0, 100.0, 4)
     for i in range(1, n):
         before = x[i - 1] - 1.0
-        total += before * before * (1.0 + _squared_sine(3.0 * math.pi * x[i]))
+        total += before * before * (1.0 + room[i])
         penalty += _outside(x[i], 5.0, 100.0, 4)
     last = x[n - 1] - 1.0
-    total += last * last * (1.0 + _squared_sine(2.0 * math.pi * x[n - 1]))
+    total += last * last * (1.0 + squared_sine(2.0 * math.pi * x[n - 1]))
     return 0.1 * total + penalty
 
 
@@ -65,6 +68,7 @@ penalized_1 = Function(
     minimum=0.0,
     at=(-1.0,),
     source=f"{_YAO}, f12",
+    needs_room=True,
 )
 penalized_2 = Function(
     name="penalized_2",
@@ -74,4 +78,5 @@ penalized_2 = Function(
     minimum=0.0,
     at=(1.0,),
     source=f"{_YAO}, f13",
+    needs_room=True,
 )

@@ -72,13 +72,13 @@ class ShiftedProblem:
 
     @property
     def data(self) -> Vector:
-        """The shift, then room for one point, shape (2 dimension,); a new array each time."""
-        return np.concatenate([self.shift, np.zeros(self.problem.dimension)])
+        """Room for f and for one point, then the shift; a new array each time."""
+        return np.concatenate([np.zeros(self.scratch), self.shift])
 
     @property
     def scratch(self) -> int:
-        """How many numbers at the end of the data the cost writes over."""
-        return self.problem.dimension
+        """How many numbers at the start of the data the cost writes over."""
+        return self.problem.scratch + self.problem.dimension
 
     @property
     def identity(self) -> tuple[object, ...]:
@@ -104,7 +104,8 @@ def _moved(kernel: Any) -> Any:  # noqa: ANN401 (numba ships no types)
 
 def _at_shifted_point(x, data):
     n = len(x)
-    moved = data[n:]  # a part of the data, because a new array for every value would cost time
+    # parts of the data, because a new array for every value would cost time
+    moved, shift = data[len(data) - 2 * n : len(data) - n], data[len(data) - n :]
     for j in range(n):
-        moved[j] = x[j] - data[j]
+        moved[j] = x[j] - shift[j]
     return f(moved, data)  # type: ignore[name-defined]  # noqa: F821 (each copy brings its f)

@@ -16,9 +16,9 @@ from typing import Unpack
 import numpy as np
 
 from repro.compiled import jit
-from repro.draws import below, uniform
+from repro.draws import below, fill
 from repro.errors import InputError
-from repro.optimisers.population import clip, copy_into, uniform_population
+from repro.optimisers.population import copy_into, uniform_population
 from repro.optimisers.search import Budget, Problem, Result, Spending, search
 
 _LEAST = 4  # rand/1 needs three agents besides the one that it changes
@@ -35,16 +35,22 @@ def _de(cost, data, bounds, population, iterations, parameters, state):
     best = X[first].copy()
     best_cost = costs[first]
     y = np.empty_like(best)
+    draws, words = np.empty(2 * len(y)), np.empty(2 * len(y), dtype=np.uint64)
+    lower, upper = bounds[:, 0].copy(), bounds[:, 1].copy()  # contiguous, so clipping vectorises
     history = np.empty(iterations)
     for t in range(iterations):
         for i in range(population):
-            _mutate(y, X, i, least, most, state)
-            clip(y, bounds)
-            _cross(y, X[i], CR, state)
+            a, b, c = _others(i, population, state)
+            fill(draws, words, state)
+            _mutate(y, X, a, b, c, least, most, draws)
+            for j in range(len(y)):
+                y[j] = min(max(y[j], lower[j]), upper[j])
+            _cross(y, X, i, CR, draws)
             value = cost(y, data)
             if value < costs[i]:
                 costs[i] = value
-                copy_into(X[i], y)
+                for j in range(len(y)):
+                    X[i, j] = y[j]
             if value < best_cost:
                 best_cost = value
                 copy_into(best, y)
@@ -53,8 +59,8 @@ def _de(cost, data, bounds, population, iterations, parameters, state):
 
 
 @jit
-def _mutate(y, X, i, least, most, state):
-    population = X.shape[0]
+def _others(i, population, state):
+    """Return three distinct agents other than agent i."""
     a = b = c = i
     while a == i:
         a = below(population, state)
@@ -62,18 +68,27 @@ def _mutate(y, X, i, least, most, state):
         b = below(population, state)
     while c in (i, a, b):
         c = below(population, state)
+    return a, b, c
+
+
+@jit
+def _mutate(y, X, a, b, c, least, most, draws):
     for j in range(len(y)):
-        F = least + (most - least) * uniform(state)
+        F = least + (most - least) * draws[j]
         y[j] = X[a, j] + F * (X[b, j] - X[c, j])
 
 
 @jit
-def _cross(y, x, CR, state):
+def _cross(y, X, i, CR, draws):
     """Put the parent's coordinates into mutant `y` where the crossover keeps them."""
-    certain = below(len(y), state)
-    for j in range(len(y)):
-        if j != certain and uniform(state) > CR:
-            y[j] = x[j]
+    n = len(y)
+    certain = np.int64(n * draws[n])  # it needs no draw: n - 1 numbers are left for the others
+    for j in range(certain):
+        if draws[n + 1 + j] > CR:
+            y[j] = X[i, j]
+    for j in range(certain + 1, n):
+        if draws[n + j] > CR:
+            y[j] = X[i, j]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -12,25 +12,30 @@ from typing import Unpack
 import numpy as np
 
 from repro.compiled import jit
-from repro.draws import uniform
-from repro.optimisers.population import clip, copy_into, uniform_population
+from repro.draws import fill
+from repro.optimisers.population import copy_into, uniform_population
 from repro.optimisers.search import Budget, Problem, Result, search
 
 
 @jit
 def _gwo(cost, data, bounds, population, iterations, parameters, state):  # noqa: ARG001
+    n = bounds.shape[0]
     X = uniform_population(bounds, population, state)
-    leaders = np.zeros((3, bounds.shape[0]))  # alpha, beta, delta
+    x = np.empty(n)  # the wolf at `cost`: a row of X would be reference-counted at every call
+    leaders = np.zeros((3, n))  # alpha, beta, delta
     costs = np.full(3, np.inf)
     history = np.empty(iterations)
+    draws, words = np.empty(6 * n), np.empty(6 * n, dtype=np.uint64)
     for t in range(iterations):
         for i in range(population):
-            clip(X[i], bounds)
-            _rank(X[i], cost(X[i], data), leaders, costs)
+            for j in range(n):
+                x[j] = X[i, j] = min(max(X[i, j], bounds[j, 0]), bounds[j, 1])
+            _rank(x, cost(x, data), leaders, costs)
         history[t] = costs[0]
         a = 2.0 - 2.0 * t / iterations
         for i in range(population):
-            _follow(X[i], leaders, a, state)
+            fill(draws, words, state)
+            _follow(X, i, leaders, a, draws)
     return leaders[0].copy(), costs[0], history, population * iterations
 
 
@@ -49,14 +54,14 @@ def _rank(x, value, leaders, costs):
 
 
 @jit
-def _follow(x, leaders, a, state):
-    for j in range(len(x)):
+def _follow(X, i, leaders, a, draws):
+    for j in range(X.shape[1]):
         total = 0.0
         for k in range(3):
-            A = 2.0 * a * uniform(state) - a  # Eq. (3.3)
-            C = 2.0 * uniform(state)  # Eq. (3.4)
-            total += leaders[k, j] - A * abs(C * leaders[k, j] - x[j])  # Eqs. (3.5)-(3.6)
-        x[j] = total / 3.0  # Eq. (3.7)
+            A = 2.0 * a * draws[6 * j + 2 * k] - a  # Eq. (3.3)
+            C = 2.0 * draws[6 * j + 2 * k + 1]  # Eq. (3.4)
+            total += leaders[k, j] - A * abs(C * leaders[k, j] - X[i, j])  # Eqs. (3.5)-(3.6)
+        X[i, j] = total / 3.0  # Eq. (3.7)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -22,6 +22,7 @@ from repro.optimisers.choices import check_choices
 from repro.optimisers.population import clip, copy_into
 from repro.optimisers.search import Budget, Problem, Result, Spending, search
 from repro.optimisers.tent_map import STARTS, Start, started, tent
+from repro.waves import cosine_of_turns
 
 _LEAST = 4  # rand/1/bin needs three whales besides the one that it changes
 
@@ -171,7 +172,7 @@ def _move(X, best, t, iterations, parameters, state):
         if chosen == (parameters[SELECTS] == 0.0):
             _encircle_or_seek(X, i, best, a, A, C, vector, parameters[LEADER] == 1.0, state)
         else:
-            turn = math.exp(b * l) * math.cos(2.0 * math.pi * l)
+            turn = math.exp(b * l) * cosine_of_turns(l)
             for j in range(X.shape[1]):
                 X[i, j] = abs(best[j] - X[i, j]) * turn + best[j]
 

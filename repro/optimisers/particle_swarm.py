@@ -13,7 +13,7 @@ from typing import Literal, Unpack
 import numpy as np
 
 from repro.compiled import jit
-from repro.draws import uniform
+from repro.draws import fill
 from repro.optimisers.choices import check_choices
 from repro.optimisers.population import clip, copy_into, uniform_population
 from repro.optimisers.search import Budget, Problem, Result, search
@@ -23,38 +23,45 @@ from repro.optimisers.search import Budget, Problem, Result, search
 def _pso(cost, data, bounds, population, iterations, parameters, state):
     v_max, w_first, w_last, c1, c2 = parameters[:5]
     first_clipped = 0 if parameters[5] == 1.0 else population - 1
+    n = bounds.shape[0]
     X = uniform_population(bounds, population, state)
     V = np.zeros_like(X)
     P = np.zeros_like(X)
+    x = np.empty(n)  # the particle at `cost`: a row of X would be reference-counted at every call
     costs = np.full(population, np.inf)
-    best = np.zeros(bounds.shape[0])
+    best = np.zeros(n)
     best_cost = np.inf
     history = np.empty(iterations)
+    draws, words = np.empty(2 * n), np.empty(2 * n, dtype=np.uint64)
     for t in range(1, iterations + 1):
         for i in range(first_clipped, population):
             clip(X[i], bounds)
         for i in range(population):
-            value = cost(X[i], data)
+            for j in range(n):
+                x[j] = X[i, j]
+            value = cost(x, data)
             if value < costs[i]:
                 costs[i] = value
-                copy_into(P[i], X[i])
+                for j in range(n):
+                    P[i, j] = x[j]
             if value < best_cost:
                 best_cost = value
-                copy_into(best, X[i])
+                copy_into(best, x)
         history[t - 1] = best_cost
         w = w_first - t * (w_first - w_last) / iterations
-        for i in range(population):
-            _fly(X[i], V[i], P[i], best, w, c1, c2, v_max, state)
+        _fly(X, V, P, best, w, c1, c2, v_max, draws, words, state)
     return best, best_cost, history, population * iterations
 
 
 @jit
-def _fly(x, v, p, best, w, c1, c2, v_max, state):
-    for j in range(len(x)):
-        memory = c1 * uniform(state) * (p[j] - x[j])
-        swarm = c2 * uniform(state) * (best[j] - x[j])
-        v[j] = min(max(w * v[j] + memory + swarm, -v_max), v_max)
-        x[j] += v[j]
+def _fly(X, V, P, best, w, c1, c2, v_max, draws, words, state):
+    for i in range(X.shape[0]):
+        fill(draws, words, state)
+        for j in range(X.shape[1]):
+            memory = c1 * draws[2 * j] * (P[i, j] - X[i, j])
+            swarm = c2 * draws[2 * j + 1] * (best[j] - X[i, j])
+            V[i, j] = min(max(w * V[i, j] + memory + swarm, -v_max), v_max)
+            X[i, j] += V[i, j]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -24,6 +24,7 @@ from repro.errors import InputError
 from repro.optimisers.choices import check_choices
 from repro.optimisers.population import clip, copy_into, uniform_population
 from repro.optimisers.search import Budget, Problem, Result, search
+from repro.waves import cosine_of_turns
 
 Control = Literal["linear", "arctanh"]
 Weight = Literal["none", "of the whale", "of the leader"]
@@ -121,7 +122,7 @@ def _move(X, seen, i, best, W, a, a2, parameters, state):
     if uniform(state) < 0.5:
         _encircle_or_search(X, seen, i, best, W, a, A, C, parameters, state)
     else:
-        turn = math.exp(parameters[B] * l) * math.cos(2.0 * math.pi * l)
+        turn = math.exp(parameters[B] * l) * cosine_of_turns(l)
         _spiral(X[i], best, W[i], a, turn, parameters, state)
 
 

@@ -20,51 +20,63 @@ from repro.compiled import jit
 from repro.draws import below, uniform
 from repro.optimisers.population import copy_into, uniform_population
 from repro.optimisers.search import Budget, Problem, Result, search
+from repro.waves import cosine_of_turns
 
 
 @jit
 def _woa(cost, data, bounds, population, iterations, parameters, state):
     b = parameters[0]
     n = bounds.shape[0]
-    lower, upper = bounds[:, 0].copy(), bounds[:, 1].copy()  # contiguous, so clipping vectorises
-    X = uniform_population(bounds, population, state)
-    x = np.empty(n)  # the whale at `cost`: a row of X would be reference-counted at every call
-    best = np.zeros(n)
+    X, lower, upper = _padded(bounds, population, state)
+    row = np.zeros(X.shape[1])
+    x = row[:n]  # the whale at `cost`: a row of X would be reference-counted at every call
+    best = np.zeros_like(row)
     best_cost = np.inf
     history = np.empty(iterations)
     for t in range(iterations):
         for i in range(population):
-            for j in range(n):
-                x[j] = X[i, j] = min(max(X[i, j], lower[j]), upper[j])
+            for j in range(len(row)):
+                row[j] = X[i, j] = min(max(X[i, j], lower[j]), upper[j])
             value = cost(x, data)
             if value < best_cost:
                 best_cost = value
-                copy_into(best, x)
+                copy_into(best, row)
         history[t] = best_cost
         a = 2.0 - 2.0 * t / iterations
         a2 = -1.0 - t / iterations
-        _move(X, best, a, a2, b, state)
-    return best, best_cost, history, population * iterations
+        _move(X, best, a, a2, b, n, state)
+    return best[:n].copy(), best_cost, history, population * iterations
 
 
 @jit
-def _move(X, best, a, a2, b, state):
-    population, n = X.shape
+def _padded(bounds, population, state):
+    """Return whales and bounds with zeros up to a multiple of 8, so that no loop has a rest."""
+    n = bounds.shape[0]
+    width = -(-n // 8) * 8
+    X, lower, upper = np.zeros((population, width)), np.zeros(width), np.zeros(width)
+    X[:, :n] = uniform_population(bounds, population, state)
+    lower[:n], upper[:n] = bounds[:, 0], bounds[:, 1]
+    return X, lower, upper
+
+
+@jit
+def _move(X, best, a, a2, b, n, state):
+    population, width = X.shape
     for i in range(population):
         A = 2.0 * a * uniform(state) - a  # Eq. (2.3)
         C = 2.0 * uniform(state)  # Eq. (2.4)
         l = (a2 - 1.0) * uniform(state) + 1.0  # noqa: E741 (the paper's letter)
         if uniform(state) < 0.5:
             if abs(A) < 1.0:
-                for j in range(n):
+                for j in range(width):
                     X[i, j] = best[j] - A * abs(C * best[j] - X[i, j])  # Eqs. (2.1)-(2.2)
             else:
                 for j in range(n):
                     leader = X[below(population, state), j]
                     X[i, j] = leader - A * abs(C * leader - X[i, j])  # Eqs. (2.7)-(2.8)
         else:
-            turn = math.exp(b * l) * math.cos(2.0 * math.pi * l)
-            for j in range(n):
+            turn = math.exp(b * l) * cosine_of_turns(l)
+            for j in range(width):
                 X[i, j] = abs(best[j] - X[i, j]) * turn + best[j]  # Eq. (2.5)
 
 

@@ -5,6 +5,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
+from tests.twins.waves import cosine_of_turns
+
 Bounds = Sequence[tuple[float, float]]
 
 
@@ -222,7 +224,7 @@ def _spiral(herd: _Herd, i: int, u: float, additions: _Additions, schedule: _Sch
         "shrinking": (schedule.a2 - 1.0) * u + 1.0,
         "symmetric": 2.0 * u - 1.0,
     }[additions.spiral_range]
-    turn = math.exp(schedule.b * l) * math.cos(2.0 * math.pi * l)
+    turn = math.exp(schedule.b * l) * cosine_of_turns(l)
     for j, best in enumerate(herd.best_x):
         herd.x[i][j] = abs(best - herd.x[i][j]) * turn + best
 

@@ -8,6 +8,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from tests.twins.waves import cosine_of_turns
+
 Bounds = Sequence[tuple[float, float]]
 
 
@@ -191,7 +193,7 @@ def _spiralled(moment: _Moment, i: int, u: float) -> list[float]:
     l = {"shrinking": (moment.a2 - 1.0) * u + 1.0, "symmetric": 2.0 * u - 1.0}[  # noqa: E741
         parts.spiral_range
     ]
-    turn = math.exp(parts.b * l) * math.cos(2.0 * math.pi * l)
+    turn = math.exp(parts.b * l) * cosine_of_turns(l)
     n = len(moment.best_x)
     swings = {
         "none": lambda: [1.0] * n,

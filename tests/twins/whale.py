@@ -3,6 +3,8 @@
 import math
 from collections.abc import Callable, Sequence
 
+from tests.twins.waves import cosine_of_turns
+
 
 def whale(
     cost: Callable[[list[float]], float],
@@ -50,7 +52,7 @@ def _move(
     A = 2.0 * a * r1 - a  # Eq. (2.3)
     C = 2.0 * r2  # Eq. (2.4)
     l = (a2 - 1.0) * u + 1.0  # noqa: E741 -- WOA.m; the paper has l in [-1, 1]
-    turn = math.exp(b * l) * math.cos(2.0 * math.pi * l)
+    turn = math.exp(b * l) * cosine_of_turns(l)
     for j in range(len(best_x)):
         if p >= 0.5:
             x[i][j] = abs(best_x[j] - x[i][j]) * turn + best_x[j]  # Eq. (2.5)
