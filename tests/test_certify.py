@@ -26,6 +26,12 @@ TIMES = PublishedTable.read("""
 """)
 
 
+def examples(few: int) -> int:
+    """Return a few, because an example takes milliseconds; as many as are asked for in `fuzz`."""
+    asked = settings.default.max_examples if settings.default else few
+    return few if asked <= 200 else asked
+
+
 def moving(problem: MinimumTime) -> Paper:
     """Return a paper that prints times of one motion."""
     motion = replace(EXPERIMENT, name="motion", problems={"arm": problem})
@@ -76,7 +82,7 @@ def test_binding_is_the_limit_that_would_have_to_be_raised() -> None:
     assert found.at == pytest.approx((15.0, 7.5))
 
 
-@settings(max_examples=50)
+@settings(max_examples=examples(50))
 @given(problems())
 def test_certificate_is_never_beaten_by_a_grid_of_durations_that_obey(
     problem: MinimumTime,
@@ -102,7 +108,7 @@ def test_certified_motion_obeys_as_the_search_counts_it(problem: MinimumTime) ->
     assert cost(slower, problem.data) == pytest.approx(found.attained, rel=1e-11)
 
 
-@settings(max_examples=10)
+@settings(max_examples=examples(10))
 @given(problems(), st.integers(0, 9))
 def test_search_never_ends_below_the_certificate(problem: MinimumTime, seed: int) -> None:
     found = certificate(problem)
