@@ -4,6 +4,7 @@ import pytest
 
 from repro.evidence import Cell, Runs
 from repro.report.baselines_view import baselines_view, standings_view
+from repro.report.pages import render
 from repro.standings import ProblemStandings, standings
 from tests.small_papers import PAPER
 from tests.test_standings import EXPERIMENT, every_run
@@ -37,3 +38,15 @@ def test_problem_without_runs_has_no_cell_in_the_view() -> None:
     view = standings_view(EXPERIMENT, found, problems)
 
     assert view.rows[0][view.headings.index("WOA")] == "–"
+
+
+def test_markdown_raises_powers_of_ten_and_keeps_bars_in_their_cells() -> None:
+    found = every_run()
+    view = standings_view(EXPERIMENT, found, standings(EXPERIMENT, found))
+
+    shown = replace(view, headings=("a|b",), rows=(("2.000×10^-9",), ("<b>|",)))
+    text = render("sections/baselines.md", {"standings": (shown,)})
+
+    assert "| a\\|b |" in text
+    assert "| 2.000×10<sup>−9</sup> |" in text
+    assert "| &lt;b&gt;\\| |" in text
