@@ -32,6 +32,11 @@ def known_minimum(
     if isinstance(problem, MinimumTime) and problem.handling == "fixed penalties":
         return KnownMinimum(value=cheapest(problem).cost, how="least fitness, by cases")
     if isinstance(problem, MinimumTime | MinimumTimeSpline) and problem.handling != "penalty":
-        proved = [c.minimum for c in certificates if c.problem == label and c.minimum is not None]
+        # the proved bound and not the motion found, which a search may come below by its margin
+        proved = [
+            c.lower_bound
+            for c in certificates
+            if c.problem == label and c.minimum is not None and c.lower_bound is not None
+        ]
         return KnownMinimum(value=proved[0], how="certified optimum") if proved else None
     return None
