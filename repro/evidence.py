@@ -115,7 +115,7 @@ class Evidence:
         runs = self.runs[cell]
         if quantity == "cost":
             return runs.costs
-        if match := re.fullmatch(r"cost after (\d+) iterations", quantity):
+        if match := re.fullmatch(r"cost after (\d+) iterations?", quantity):
             iteration, last = int(match[1]), runs.histories.shape[-1]
             if not 1 <= iteration <= last:
                 message = f"{'/'.join(cell)}: no {quantity!r}; it has iterations 1 to {last}"

@@ -28,7 +28,7 @@ def test_values_are_the_costs_of_every_run() -> None:
 def test_cost_after_k_iterations_is_that_of_the_history() -> None:
     found = evidence(guess=[[1, 2]])  # whose histories fall from 5 times the cost to the cost
 
-    assert found.values(CELL, "cost after 1 iterations").tolist() == [[5, 10]]
+    assert found.values(CELL, "cost after 1 iteration").tolist() == [[5, 10]]
     assert found.values(CELL, "cost after 4 iterations").tolist() == [[2, 4]]
     assert found.values(CELL, "cost after 5 iterations").tolist() == found.values(CELL).tolist()
 

@@ -225,8 +225,8 @@ def _search(arm: Arm, ga: str, name: str) -> tuple[Sentence, ...]:
             f"{name} gets off to a better start (read as: lower median norm after the first "
             "iteration, by which GA has evaluated its start and up to one child per agent)",
             fig_6,
-            arm(ga, "cost after 1 iterations"),
-            arm("WOA", "cost after 1 iterations"),
+            arm(ga, "cost after 1 iteration"),
+            arm("WOA", "cost after 1 iteration"),
         ),
         ahead(
             f"WOA is more stable than {name} (read as: lower standard deviation of the final norm "

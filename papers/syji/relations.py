@@ -58,8 +58,8 @@ RELATIONS: tuple[Relation, ...] = (
         SameNumbers(
             first=column(TABLE_3, f"Maximum {kind}"),
             second=column(TABLE_2, f"{peak} 7"),
-            meaning="the limits are the peaks of the 5 s motion, so that no faster motion of that "
-            "shape obeys them",
+            meaning="the limits are what Table 2 prints as peaks of the 5 s motion, so that no "
+            "faster motion of that shape obeys them",
         )
         for kind, peak in zip(
             KINDS, ("Maximum velocity", "Maximum acceleration", "Maximum Jerk"), strict=True

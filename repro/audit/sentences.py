@@ -50,7 +50,7 @@ def _rank(paper: str, claim: Sentence, measure: Measure, cells: Cells) -> Iterat
         check="rank-in-text",
         grade=Grade.INCONSISTENT,
         explanation=(
-            f"{claim.where} says that {claim.claim}: rank {claim.printed.text}. "
+            f"{claim.where} says, {claim.claim!r}: rank {claim.printed.text}. "
             f"{cell.table.label} prints {cell.printed.text} for {measure.of.algorithm}, and "
             f"{below or 'nothing'} below it, which makes it rank {1 + len(lower)}"
             + (f" to {1 + len(lower) + len(ties)}" if ties else "")
