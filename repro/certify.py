@@ -18,16 +18,18 @@ from repro.robotics.rest_to_rest import DERIVATIVES
 from repro.spline_rows import Cut
 
 GAP = 1e-4  # s: closer than this, a bound and a motion count as one minimum
+SI = {"velocity": "rad/s", "acceleration": "rad/s²", "jerk": "rad/s³"}
 LINEAR_PROGRAMME = (
     "linear programme: the velocity limits are linear in the durations, a rational combination of "
     "them bounds the sum from below, and a motion lengthened by 1e-7 of its time is proved to keep "
-    "every limit by Bernstein coefficients in rational numbers"
+    "every limit by Bernstein coefficients in rational numbers; u runs from 0 to 1 in each segment"
 )
 BRANCH_AND_BOUND = (
     "branch and bound over the durations: the velocity limits are linear in them, the acceleration "
     "limits cubic with a chord as their linear bound in a box; a rational combination of both "
     "bounds the sum in each of {boxes} boxes from below, and a motion lengthened by 1e-7 of its "
-    "time is proved to keep every limit by Bernstein coefficients in rational numbers"
+    "time is proved to keep every limit by Bernstein coefficients in rational numbers; u runs from "
+    "0 to 1 in each segment"
 )
 
 
@@ -139,8 +141,8 @@ def _better_off_breaking(
         lower_bound=bound,
         attained=obeying,
         method=(
-            "a joint that starts and ends at rest, with jerk, acceleration and velocity in turn at "
-            "their limits, moves its angle in the least time that any curve can"
+            "a joint that starts and ends at rest, as fast as its limits on jerk, acceleration and "
+            "velocity allow, moves its angle in the least time that any curve can"
         ),
         at=tuple(float(duration) for duration in least.durations),
         binding=(f"whole motion: joint {slowest}",),
@@ -149,8 +151,8 @@ def _better_off_breaking(
             f"The fitness as printed has its least value, {least.cost:.4g} s, where limits are "
             f"broken ({broken}): with {each} s the motion takes {least.time:.4g} s, and breaking "
             f"costs {least.cost - least.time:.4g} s. Obeying costs {obeying:.4g} s with this law "
-            f"and at least {bound:.4g} s with any curve between rest and rest, even with jerk, "
-            f"acceleration and velocity in turn at their limits (joint {slowest}). "
+            f"and at least {bound:.4g} s with any curve between rest and rest, even as fast "
+            f"as the limits on jerk, acceleration and velocity allow (joint {slowest}). "
             f"The shorter the durations allowed, the lower: the fitness tends to "
             f"{limit.cost:.4g} s for a motion of {limit.time:.4g} s."
         ),
@@ -236,8 +238,8 @@ def _accelerations(proof: SplineProof, minimum: float | None) -> str:
 def _holding(problem: MinimumTimeSpline, proof: SplineProof) -> tuple[str, ...]:
     # u that differ by less than is shown are one place
     places = (
-        f"segment {limit.span + 1}: {kind} of joint {limit.joint + 1} (limit "
-        f"{limits[limit.joint]:g}) at {100 * float(limit.u):.3g} % of it"
+        f"segment {limit.span + 1}, at u = {float(limit.u):.3g}: {kind} of joint "
+        f"{limit.joint + 1} (limit {limits[limit.joint]:g} {SI[kind]})"
         for limit in sorted(proof.holding, key=lambda limit: (limit.span, limit.u))
         for kind, limits in [
             ("velocity", problem.velocity)
@@ -253,7 +255,7 @@ def _binding(problem: MinimumTime, segment: int) -> str:
     derivative, joint = np.unravel_index(np.argmax(times), times.shape)
     kind = DERIVATIVES[int(derivative) + 1]
     limit = problem.limits[derivative, joint]
-    return f"segment {segment + 1}: {kind} of joint {joint + 1} (limit {limit:g})"
+    return f"segment {segment + 1}: {kind} of joint {joint + 1} (limit {limit:g} {SI[kind]})"
 
 
 def _printed(paper: Paper, of: tuple[str, str], total: float) -> tuple[PrintedTime, ...]:

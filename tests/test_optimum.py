@@ -23,7 +23,7 @@ def test_times_are_shown_as_ratios_to_the_minimum() -> None:
     assert found.least_ratio == pytest.approx(1.0)
     assert found.mean_ratio == pytest.approx(2.0)
     labels = [label for label, _, _ in time_rows(CERTIFICATE, [found])]
-    assert labels[-2:] == ["re-run: WOA, mean", "re-run: WOA, best"]
+    assert labels[-2:] == ["re-run: WOA, all repeats, mean", "re-run: WOA, all repeats, best"]
 
 
 def test_a_time_that_breaks_a_limit_counts_as_the_time_that_keeps_it() -> None:
