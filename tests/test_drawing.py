@@ -162,6 +162,16 @@ def test_description_tells_the_final_medians_of_the_first_repeat(evidence: Evide
     assert "after 60 iterations" in told
 
 
+def test_description_of_single_runs_speaks_of_no_median(evidence: Evidence) -> None:
+    cells = [cell for cell in evidence.runs if cell[0] == "benchmark"]
+    single = {cell: evidence.runs[cell].histories[:1, :1] for cell in cells}
+    found = evidence
+    for cell, history in single.items():
+        found = with_histories(found, cell, history)
+    told = draw(CONVERGENCE, found, "a").description
+    assert "a line for the one run. Cost after 60 iterations" in told
+
+
 def test_rows_of_convergence_hold_the_lowest_median_and_highest_run(evidence: Evidence) -> None:
     rows = draw(CONVERGENCE, evidence, "a").rows
     final = next(row for row in rows if row[:3] == ("F5", "WOA", "60"))

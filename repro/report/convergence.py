@@ -196,15 +196,18 @@ def _description(curves: Panels, missing: Sequence[str]) -> str:
         + ", ".join(f"{name} {number(float(curve.median[-1]))}" for name, curve in panel.items())
         for problem, panel in curves.items()
     )
-    text = (
-        f"Best cost against iterations, a line for the median of {runs} runs in a band from the "
-        f"lowest to the highest run. Median after {last} iterations: {finals}."
-    )
+    text = f"Best cost against iterations, {_lines(runs)} after {last} iterations: {finals}."
     if any((curve.lowest == 0).any() for curve in every):
         text += " Costs of exactly 0, which have no logarithm, are drawn at the mark 0."
     if missing:
         text += f" No runs yet of {', '.join(missing)}."
     return text
+
+
+def _lines(runs: str) -> str:
+    if runs == "1":
+        return "a line for the one run. Cost"
+    return f"a line for the median of {runs} runs in a band from the lowest to the highest. Median"
 
 
 def _rows(curves: Panels) -> Rows:
