@@ -3,6 +3,7 @@
 Other readings of them, optima moved aside, baselines, and equal budgets.
 """
 
+from collections.abc import Container, Iterable
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -14,6 +15,12 @@ from repro.shifts import IN_PLACE, SHARES, centred, shift_name, shifted
 from repro.variations import changed_part, variations
 
 Kind = Literal["reading", "shift", "baseline", "equal budget"]
+WORDS: dict[Kind, str] = {
+    "reading": "other readings",
+    "shift": "moved optima",
+    "equal budget": "equal budgets",
+    "baseline": "baselines",
+}
 PER_STUDY = 10  # repeats of the protocol for one repeat of a study
 
 
@@ -42,6 +49,12 @@ def studies(paper: Paper, repeats: int) -> tuple[Study, ...]:
     times = max(1, repeats // PER_STUDY)
     besides = _fair(paper) if repeats >= PER_STUDY else ()
     return (*_readings(paper, times), *_shifts(paper), *besides)
+
+
+def kinds_of(others: Iterable[Study], run: Container[str]) -> tuple[str, ...]:
+    """Return in words which kinds of studies are among the experiments that were run."""
+    kinds = {study.kind for study in others if study.experiment.name in run}
+    return tuple(words for kind, words in WORDS.items() if kind in kinds)
 
 
 def study_name(experiment: str, departs: str) -> str:

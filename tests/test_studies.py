@@ -7,7 +7,7 @@ from repro.model import Alternative, Assumption
 from repro.optimisers.random_search import RandomSearch
 from repro.plan import plan
 from repro.shifts import CONTROL, FLOOR
-from repro.studies import Study, studies, study_name
+from repro.studies import Study, kinds_of, studies, study_name
 from tests.small_papers import PAPER
 from tests.test_equal_budget import PROTOCOL
 
@@ -88,3 +88,12 @@ def test_algorithms_of_another_budget_run_as_often_as_in_the_protocol() -> None:
 
     assert (study.name, set(study.algorithms)) == ("search [equal budget]", {"DE", "GA"})
     assert (study.runs, study.evaluations) == (PROTOCOL.runs, 240)
+
+
+def test_kinds_that_were_run_are_told_and_no_others() -> None:
+    found = studies(OPEN_PAPER, 10)
+    names = {study.kind: study.experiment.name for study in found}
+
+    assert kinds_of(found, set(names.values())) == ("other readings", "baselines")
+    assert kinds_of(found, {names["reading"]}) == ("other readings",)
+    assert kinds_of(found, ()) == ()

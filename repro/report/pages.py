@@ -37,7 +37,7 @@ from repro.report.view import Shown, everything, table_view, tallies
 from repro.report.words import MEANINGS, SYMBOLS, again_command, anchor, markdown_cell, number
 from repro.session import gather
 from repro.store import Store
-from repro.studies import studies
+from repro.studies import Study, kinds_of, studies
 from repro.verdict import Verdict
 
 Files = dict[str, str]
@@ -62,10 +62,11 @@ def write_report(
     entries = []
     for paper in chosen:
         own = [task for task in tasks if task.paper == paper.key]
-        evidence = gather(store, paper, own, studies(paper, max(task.repeat for task in own)))
+        others = studies(paper, max(task.repeat for task in own))
+        evidence = gather(store, paper, own, others)
         provenance = _provenance(evidence, store.environments(own))
         provenance["master_seed"] = own[0].seed
-        entries.append(_paper_files(paper, evidence, provenance, files))
+        entries.append(_paper_files(evidence, others, provenance, files))
     old = read_results(folder / "results.json")
     results = merged(entries, old, [paper.key for paper in known])
     files["results.json"] = results_text(results)
@@ -89,8 +90,9 @@ def _provenance(evidence: Evidence, environments: list[dict[str, object]]) -> di
 
 
 def _paper_files(
-    paper: Paper, evidence: Evidence, provenance: Mapping[str, object], files: Files
+    evidence: Evidence, others: Sequence[Study], provenance: Mapping[str, object], files: Files
 ) -> Json:
+    paper = evidence.paper
     varied = varied_evidence(evidence)
     findings = judge_paper(evidence, varied)
     rows = audit(paper)
@@ -118,16 +120,22 @@ def _paper_files(
             for certificate in certificates
         ],
         "readings": readings_view(paper, findings, varied, fingerprints(evidence, varied)),
+        **_studied(evidence, others),
         "standings": baselines_view(paper, evidence.runs, certificates),
         "drawings": drawings,
-        "level": LEVEL,
-        "resampled_tables": TABLES,
         "provenance": provenance,
     }
     files[f"{paper.key}.html"] = render("paper.html", context)
     files[f"{paper.key}.md"] = render("paper.md", context)
     files |= _tables(paper, found, drawings) | runs.files(paper.key)
     return entry
+
+
+def _studied(evidence: Evidence, others: Sequence[Study]) -> dict[str, object]:
+    return {
+        "besides": kinds_of(others, {name for name, *_ in evidence.runs}),
+        "reading_repeats": max((s.repeats for s in others if s.kind == "reading"), default=0),
+    }
 
 
 def index_files(results: Json, another_seed: Json | None = None) -> Files:
@@ -166,12 +174,13 @@ def _templates(*, markdown: bool) -> Environment:
         "equation_links": equation_links,
         "dollars": dollars,
         "anchor": anchor,
-        "markup": Markup,  # for the SVG that we draw ourselves
+        "markup": Markup,  # for the SVG that we draw and what our macros return
         "time_cells": _time_cells,
         "comparison_rows": lambda c: [(problem, *texts) for problem, texts in c.rows],
         "cell": markdown_cell,
     }
     environment.globals |= {"viewer": viewer, "again_command": again_command}
+    environment.globals |= {"level": LEVEL, "resampled_tables": TABLES}
     environment.globals |= {"SYMBOLS": SYMBOLS, "MEANINGS": MEANINGS, "VERDICTS": tuple(Verdict)}
     return environment
 
