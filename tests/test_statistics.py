@@ -61,7 +61,18 @@ def test_spread_of_tiny_values_does_not_underflow() -> None:
     # n values 1 to n have the sample variance n (n + 1) / 12
     costs = 1e-301 * np.arange(1.0, 31.0)
 
-    assert float(standard_deviation(costs)) == pytest.approx(1e-301 * np.sqrt(30 * 31 / 12))
+    assert float(standard_deviation(costs)) == pytest.approx(
+        1e-301 * np.sqrt(30 * 31 / 12), abs=0.0
+    )
+
+
+@pytest.mark.parametrize("lower", [1, 4, 15, 23, 29])
+def test_spread_of_values_that_differ_in_the_last_digit_is_exact(lower: int) -> None:
+    low = float.fromhex("-0x1.ee6fa53a3b3c8p+1")  # where runs on F14 end, it or the next double
+    costs = np.array([low] * lower + [low + 2.0**-51] * (30 - lower))
+
+    exact = 2.0**-51 * (lower * (30 - lower) / (30 * 29)) ** 0.5
+    assert float(standard_deviation(costs)) == pytest.approx(exact, rel=1e-9, abs=0.0)
 
 
 def test_spread_of_huge_values_does_not_overflow() -> None:
@@ -88,17 +99,17 @@ BOTH_CONSTANT = {30: 1.685298e-14}
 def test_separated_samples_have_the_p_value_that_papers_print(n: int, p: float) -> None:
     x, y = np.arange(float(n)), 100.0 + np.arange(float(n))
 
-    assert rank_sum_p(x, y) == pytest.approx(p, rel=1e-4)
+    assert rank_sum_p(x, y) == pytest.approx(p, rel=1e-4, abs=0.0)
 
 
 @pytest.mark.parametrize(("n", "p"), ONE_CONSTANT.items())
 def test_constant_sample_below_another_has_the_p_value_that_papers_print(n: int, p: float) -> None:
-    assert rank_sum_p(np.zeros(n), 1.0 + np.arange(float(n))) == pytest.approx(p, rel=1e-4)
+    assert rank_sum_p(np.zeros(n), 1.0 + np.arange(float(n))) == pytest.approx(p, rel=1e-4, abs=0.0)
 
 
 @pytest.mark.parametrize(("n", "p"), BOTH_CONSTANT.items())
 def test_two_constant_samples_have_the_p_value_that_papers_print(n: int, p: float) -> None:
-    assert rank_sum_p(np.zeros(n), np.ones(n)) == pytest.approx(p, rel=1e-4)
+    assert rank_sum_p(np.zeros(n), np.ones(n)) == pytest.approx(p, rel=1e-4, abs=0.0)
 
 
 @given(SAMPLE)

@@ -40,13 +40,22 @@ def standard_deviation(costs: Vector) -> Vector:
         message = "a standard deviation needs two runs or more"
         raise InputError(message)
     scaled, exponent = _scaled(costs)
-    spread = np.ldexp(scaled.std(axis=-1, ddof=1), exponent)
-    return _where_equal(costs, np.zeros(costs.shape[:-1]), spread)
+    return _where_equal(costs, np.zeros(costs.shape[:-1]), np.ldexp(_spread(scaled), exponent))
 
 
 def single(costs: Vector) -> Vector:
     """Return the first value: what a paper prints that ran once."""
     return np.asarray(costs[..., 0])
+
+
+def _spread(values: Vector) -> Vector:
+    # values that differ in their last digit have a mean whose rounding is as large as they are
+    # apart: the second term takes it out (T. F. Chan, G. H. Golub, R. J. LeVeque, The American
+    # Statistician 37 (1983) 242-247)
+    n = values.shape[-1]
+    away = values - values.mean(axis=-1, keepdims=True)
+    squares = (away * away).sum(axis=-1) - away.sum(axis=-1) ** 2 / n
+    return np.asarray(np.sqrt(np.maximum(squares, 0.0) / (n - 1)))
 
 
 def _scaled(costs: Vector) -> tuple[Vector, NDArray[np.int32]]:
