@@ -5,15 +5,15 @@ from numpy.typing import NDArray
 from scipy.stats import wilcoxon
 
 Vector = NDArray[np.float64]
-EXACT = 50  # pairs up to which R's `wilcox.test` is exact
+EXACT = 50  # pairs, below which R's `wilcox.test` is exact
 
 
 def signed_rank_p(differences: Vector) -> float:
     """Return the p-value of Wilcoxon's signed-rank test that paired differences are above zero.
 
     Differences of exactly 0 are left out, as Wilcoxon and R do; where nothing is left, p = 1. Exact
-    for up to 50 pairs of different sizes without zeros, otherwise the normal approximation with
-    tie and continuity correction: the choice of R's `wilcox.test`.
+    for fewer than 50 pairs of different sizes without zeros, otherwise the normal approximation
+    with tie and continuity correction: the choice of R's `wilcox.test`.
     """
     left = differences[differences != 0.0]
     if not left.size:
