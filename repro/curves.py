@@ -1,10 +1,11 @@
 """Measures of fitted curves: several problems taken together, places, effort, sensitivity.
 
 One joint is one problem; an arm is several of them. What is said of an arm is measured run by
-run: the first run of every joint makes the arm's first run, and so on.
+run: the first run of every joint makes the arm's first run, and so on, over the repeats that all
+of its joints have.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from types import MappingProxyType
@@ -14,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from repro.evidence import Cell, Evidence
-from repro.measures import TABLES, Measure, Measured
+from repro.measures import TABLES, Measure, Measured, fewest_repeats
 from repro.robotics.path_fitting import PathFitting
 from repro.robotics.polynomial_curves import values
 from repro.seeds import generator
@@ -38,10 +39,15 @@ def median(costs: Vector) -> Vector:
     return np.asarray(np.median(costs, axis=-1))
 
 
+def lower_median(costs: Vector) -> Vector:
+    """Return the least value that half of them do not exceed, which is one of them."""
+    return np.asarray(np.quantile(costs, 0.5, axis=-1, method="lower"))
+
+
 SUMMARIES: Mapping[str, Callable[[Vector], Vector]] = MappingProxyType(
-    {**STATISTICS, "median": median}
+    {**STATISTICS, "median": median, "lower median": lower_median}
 )
-"""The statistics that tables print, and the median."""
+"""The statistics that tables print, and the medians."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -77,8 +83,8 @@ class Together:
         return evidence.remember(self, partial(self._measure, evidence))
 
     def _measure(self, evidence: Evidence) -> Measured:
-        parts = np.array([evidence.values(cell, self.quantity) for cell in self.cells()])
-        combined = _COMBINED[self.combination](parts)
+        parts = [evidence.values(cell, self.quantity) for cell in self.cells()]
+        combined = _COMBINED[self.combination](_of_common_repeats(parts))
         return _summarised(combined, self.statistic, evidence, self.experiment, self.algorithm)
 
 
@@ -110,7 +116,7 @@ class Place:
         return Measured(
             value=1.0 + sum(other.value < own.value for other in others),
             draws=np.asarray(1.0 + sum(1.0 * (other.draws < own.draws) for other in others)),
-            repeats=max(measured.repeats for measured in (own, *others)),
+            repeats=fewest_repeats(own, *others),
         )
 
 
@@ -120,8 +126,9 @@ class Effort:
 
     The target is one that every algorithm of `among` reaches in half of its runs: the highest of
     their median final norms, over the first repeat for its value and over all repeats for how much
-    it varies. A run that never reaches it counts as infinite. The evaluations of a run are shared
-    out equally among its iterations.
+    it varies. A run that never reaches it counts as infinite; the median is the lower one, since
+    of an even number of runs just half may reach it. The evaluations of a run are shared out
+    equally among its iterations.
     """
 
     follows: ClassVar[bool] = True
@@ -147,8 +154,13 @@ class Effort:
         histories = {name: self._history(evidence, name) for name in self.among}
         first = {name: history[:1] for name, history in histories.items()}
         own, name = self.algorithm, self.experiment
-        measured = _summarised(self._effort(evidence, histories), "median", evidence, name, own)
-        return replace(measured, value=float(np.median(self._effort(evidence, first))))
+        effort = self._effort(evidence, histories)
+        measured = _summarised(effort, "lower median", evidence, name, own)
+        return replace(
+            measured,
+            value=float(lower_median(self._effort(evidence, first).ravel())),
+            repeats=min(map(len, histories.values())),
+        )
 
     def _effort(self, evidence: Evidence, histories: Mapping[str, Vector]) -> Vector:
         """Return the evaluations of each run until the target of these repeats."""
@@ -164,8 +176,8 @@ class Effort:
 
     def _history(self, evidence: Evidence, algorithm: str) -> Vector:
         """Return the norm after each iteration, shape (repeats, runs, iterations)."""
-        parts = np.array([evidence.runs[cell].histories for cell in self._of(algorithm)])
-        return _COMBINED["norm"](parts)
+        parts = [evidence.runs[cell].histories for cell in self._of(algorithm)]
+        return _COMBINED["norm"](_of_common_repeats(parts))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -212,7 +224,7 @@ class Sensitivity:
             both = min(map(len, pair))  # under another reading one of them has fewer repeats
             before, after = (points[:both] for points in pair)
             changes.append(_greatest_difference(before, after, problems[name]) / self.shift)
-        combined = _COMBINED["largest"](np.array(changes))
+        combined = _COMBINED["largest"](_of_common_repeats(changes))
         return _summarised(combined, "median", evidence, self.experiment, self.algorithm)
 
 
@@ -226,6 +238,12 @@ def planned(
         return float(_COMBINED[combination](np.array(parts)))
 
     return value
+
+
+def _of_common_repeats(parts: Sequence[Vector]) -> Vector:
+    """Return as one array what parts of shape (repeats, ...) have of the repeats common to all."""
+    repeats = min(map(len, parts))  # a failed or missing run takes its repeat from one part alone
+    return np.array([part[:repeats] for part in parts])
 
 
 def _greatest_difference(before: Vector, after: Vector, problem: PathFitting) -> Vector:

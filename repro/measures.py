@@ -20,11 +20,19 @@ TABLES = 2000  # resampled tables per statistic: its 2.5 % tail then holds 50 of
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Measured:
-    """The value of the first repeat, the values of many resampled tables, and repeats used."""
+    """The value of the first repeat, the values of many resampled tables, and repeats used.
+
+    Where several cells are used, the repeats are the fewest of any, and 0 where none is run.
+    """
 
     value: float
     draws: Vector
     repeats: int
+
+
+def fewest_repeats(*parts: Measured) -> int:
+    """Return the fewest repeats that any part rests on; a part without runs has none to count."""
+    return min((part.repeats for part in parts if part.repeats), default=0)
 
 
 class Measure(Protocol):
@@ -128,7 +136,7 @@ class Rank:
         return Measured(
             value=1.0 + sum(other.value < own.value for other in others),
             draws=1.0 + np.sum([other.draws < own.draws for other in others], axis=0),
-            repeats=own.repeats,
+            repeats=fewest_repeats(own, *others),
         )
 
 
@@ -182,7 +190,7 @@ class Difference:
         return Measured(
             value=before.value - after.value,
             draws=before.draws - after.draws,
-            repeats=max(before.repeats, after.repeats),
+            repeats=fewest_repeats(before, after),
         )
 
 
@@ -216,5 +224,5 @@ class Reduction:
         return Measured(
             value=100.0 * (1.0 - after.value / before.value),
             draws=100.0 * (1.0 - after.draws / before.draws),
-            repeats=max(before.repeats, after.repeats),
+            repeats=fewest_repeats(before, after),
         )

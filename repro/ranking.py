@@ -207,7 +207,7 @@ class RankSum:
         test = replace(self, sign=False)
         p, lower = evidence.remember(("test", test), partial(test.test, evidence))
         found = np.where(p < LEVEL, np.where(lower, 1.0, -1.0), 0.0) if self.sign else p
-        return _measured(found, len(evidence.values(self.cells()[0])))
+        return _measured(found, min(len(evidence.values(cell)) for cell in self.cells()))
 
     def test(self, evidence: Evidence) -> tuple[Vector, NDArray[np.bool_]]:
         """Return p in the first repeat and in resampled tables, and whether costs rank lower."""

@@ -56,7 +56,7 @@ def evidence(**histories: Table) -> Evidence:
     found = {}
     for algorithm, table in histories.items():
         found["arm", "left", algorithm] = runs(table)
-        found["arm", "right", algorithm] = runs(((0.0,) * 4,) * 3)
+        found["arm", "right", algorithm] = runs(((0.0,) * 4,) * len(table))
     return Evidence(PAPER, found)
 
 
@@ -139,6 +139,14 @@ def test_place_of_runs_varies_with_their_tables() -> None:
     assert found.repeats == 1
 
 
+def test_place_rests_on_the_fewest_repeats_of_any_measure() -> None:
+    few, many = replace(together(), problems=("left",)), replace(together(), problems=("right",))
+
+    found = Place(of=many, others=(few, value(1.0))).measure(uneven(1, 3))
+
+    assert found.repeats == 1
+
+
 def effort(algorithm: str) -> Effort:
     return Effort(
         experiment="arm",
@@ -166,6 +174,44 @@ def test_run_that_never_reaches_the_target_counts_as_infinite() -> None:
 
     assert found.value == 20
     assert found.draws.max() == math.inf
+
+
+def test_effort_of_an_even_number_of_runs_is_finite_for_all() -> None:
+    quick: Table = ((9.0, 3.0, 3.0, 1.0),) * 4
+    slow: Table = ((9.0, 4.0, 4.0, 4.0),) * 2 + ((9.0, 9.0, 9.0, 6.0),) * 2
+    data = evidence(WOA=quick, GA=slow)
+
+    assert effort("WOA").measure(data).value == 20  # of 40 in 4 iterations
+    assert effort("GA").measure(data).value == 20  # two of its four runs are below 5, their median
+
+
+def uneven(left: int, right: int) -> Evidence:
+    """Return evidence in which the joints have so many repeats of three runs."""
+    data = {}
+    for experiment in ("arm", "shifted"):
+        for name, repeats in (("left", left), ("right", right)):
+            for algorithm in ("WOA", "GA"):
+                costs = np.full((repeats, 3), 3.0 if name == "left" else 4.0)
+                data[experiment, name, algorithm] = Runs(
+                    costs=costs,
+                    points=np.zeros((repeats, 3, 6)),
+                    histories=costs[..., None],
+                    evaluations=40,
+                )
+    return Evidence(PAPER, data)
+
+
+@pytest.mark.parametrize(("left", "right"), [(2, 2), (3, 2), (2, 3)])
+def test_joints_are_taken_together_over_the_repeats_that_all_have(left: int, right: int) -> None:
+    data = uneven(left, right)
+    shift = Sensitivity(
+        experiment="arm", shifted="shifted", problems=("left", "right"), algorithm="WOA", shift=0.01
+    )
+
+    found = [measure.measure(data) for measure in (together(), effort("WOA"), shift)]
+
+    assert [each.value for each in found] == [5.0, 40.0, 0.0]
+    assert [each.repeats for each in found] == [2, 2, 2]
 
 
 def passed_on(before: float, after: float) -> float:

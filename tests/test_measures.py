@@ -4,7 +4,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from repro.evidence import Evidence
-from repro.measures import Computed, Measured, Rank, Reduction, Statistic
+from repro.measures import Computed, Difference, Measured, Rank, Reduction, Statistic
 from tests.small_papers import evidence, searching
 
 COSTS = [[3.0, 1.0, 2.0], [9.0, 8.0, 7.0]]
@@ -121,6 +121,19 @@ def test_measures_are_said_in_words() -> None:
     assert reduction.words == (
         "reduction in percent from time as set to mean cost of guess on bowl"
     )
+
+
+@pytest.mark.parametrize("measure", [Difference, Reduction])
+def test_comparison_rests_on_the_fewest_repeats_of_either_side(
+    measure: type[Difference] | type[Reduction],
+) -> None:
+    found = evidence(searching(), a=COSTS, b=COSTS[:1], c=COSTS)
+
+    assert (
+        measure(before=statistic("best", "a"), after=statistic("best", "b")).measure(found).repeats
+        == 1
+    )
+    assert rank("a").measure(found).repeats == 1
 
 
 def measured_reduction(before: float, after: float) -> Measured:

@@ -63,6 +63,15 @@ def test_mean_ranks_of_all_add_up_in_every_resampled_table() -> None:
     assert [one.repeats for one in each] == [2, 2, 2]
 
 
+def test_rank_sum_rests_on_the_fewest_repeats_of_any_cell() -> None:
+    many, few = [[1.0, 2.0], [3.0, 4.0]], [[5.0, 6.0]]
+    found = evidence(a=(many, many), b=(many, few))
+
+    test = RankSum(experiment="e", problems=("p", "q"), algorithm="a", against="b")
+
+    assert test.measure(found).repeats == 1
+
+
 @pytest.mark.parametrize(("name", "place"), [("a", 1), ("b", 2), ("c", 2)])
 def test_places_order_mean_ranks_and_ties_share_the_better(name: str, place: int) -> None:
     found = constant(a=(1, 1), b=(2, 7), c=(3, 2))
