@@ -74,13 +74,21 @@ def gather(
 
     Tasks of one cell stand together, so that no more than one cell's records are held at once.
     """
-    others = tuple(study.experiment for study in besides)
+    studies = tuple(besides)
+    others = tuple(study.experiment for study in studies)
     protocol = {experiment.name: experiment.runs for experiment in (*paper.experiments, *others)}
     followed = {
         cell
         for claim in paper.claims
         if claim.measure and claim.measure.follows
         for cell in claim.measure.cells()
+    }
+    # under another reading a claim follows the searches of that reading
+    followed |= {
+        (study.experiment.name, problem, algorithm)
+        for study in studies
+        for experiment, problem, algorithm in followed
+        if study.kind == "reading" and study.of == experiment
     }
     runs: dict[Cell, Runs] = {}
     own = (task for task in tasks if task.paper == paper.key and task.experiment in protocol)

@@ -15,6 +15,7 @@ from repro.plan import Task, plan
 from repro.run import Record
 from repro.session import gather, run_missing
 from repro.store import Store
+from repro.studies import Study
 from tests.small_papers import CLAIMS, EXPERIMENT, PAPER, Failing, Guessing, searching
 from tests.small_stores import content
 
@@ -165,6 +166,29 @@ def test_histories_of_every_repeat_are_kept_where_a_claim_follows_the_search(
     assert found.runs["search", "bowl", "guess"].histories.shape == (2, 3, 5)
     assert found.runs["search", "bowl", "wide"].histories.shape == (1, 3, 5)
     assert found.values(("search", "bowl", "guess"), "cost after 2 iterations").shape == (2, 3)
+
+
+def test_histories_of_every_repeat_of_a_reading_are_kept_where_a_claim_follows_the_search(
+    tmp_path: Path,
+) -> None:
+    measure = Statistic(
+        experiment="search",
+        problem="bowl",
+        algorithm="guess",
+        statistic="mean",
+        quantity="cost after 2 iterations",
+    )
+    paper = replace(PAPER, claims=(replace(CLAIMS[0], measure=measure), *CLAIMS[1:]))
+    other = replace(EXPERIMENT, name="search [other]")
+    reading = Study(kind="reading", of="search", departs="other", experiment=other, repeats=2)
+    tasks = list(plan([replace(paper, experiments=(EXPERIMENT, other))], 2, protocol_only=True))
+    run(tmp_path, tasks)
+
+    with Store(tmp_path) as store:
+        found = gather(store, paper, tasks, [reading])
+
+    assert found.runs["search [other]", "bowl", "guess"].histories.shape == (2, 3, 5)
+    assert found.runs["search [other]", "bowl", "wide"].histories.shape == (1, 3, 5)
 
 
 def test_repeat_that_is_not_whole_is_no_evidence(tmp_path: Path) -> None:
