@@ -27,8 +27,9 @@ class Standing:
     """One algorithm on one problem: final costs of one repeat, what a run cost, and its rank.
 
     `costs` has shape (runs,); `distance` is that of the mean from the known minimum; `seconds` are
-    the median of a run. `rank` is that of the mean among all that spend N·T evaluations, ties
-    sharing their average; None for a run of another budget.
+    the median of a run. `rank` is that of the mean among all that may spend N·T evaluations, of
+    which whole iterations can take fewer, ties sharing their average; None for a run of another
+    budget.
     """
 
     algorithm: str

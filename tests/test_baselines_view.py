@@ -7,7 +7,7 @@ from repro.report.baselines_view import baselines_view, standings_view
 from repro.report.pages import render
 from repro.standings import ProblemStandings, standings
 from tests.small_papers import PAPER
-from tests.test_standings import EXPERIMENT, every_run
+from tests.test_standings import EQUAL, EXPERIMENT, every_run, runs
 
 
 def test_view_has_a_row_per_problem_and_a_column_per_algorithm() -> None:
@@ -50,3 +50,14 @@ def test_markdown_raises_powers_of_ten_and_keeps_bars_in_their_cells() -> None:
     assert "| a\\|b |" in text
     assert "| 2.000×10<sup>−9</sup> |" in text
     assert "| &lt;b&gt;\\| |" in text
+
+
+def test_page_calls_the_equal_budget_what_a_run_may_spend() -> None:
+    found = every_run()
+    found[EQUAL, "hump", "DE"] = runs([5.0, 5.0, 5.0], 190)  # whole iterations of 20 fit no more
+    view = standings_view(EXPERIMENT, found, standings(EXPERIMENT, found))
+
+    page = render("sections/baselines.md", {"standings": [view]})
+
+    assert "among all that may spend 200 evaluations" in page
+    assert "| DE | equal evaluations | 3 | 190 |" in page
