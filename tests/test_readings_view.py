@@ -1,5 +1,8 @@
+import pytest
+
 from repro.findings import judge_paper
-from repro.readings import fingerprints, varied_evidence
+from repro.readings import FARTHEST, fingerprints, varied_evidence
+from repro.report.pages import render
 from repro.report.readings_view import ReadingsView, readings_view
 from tests.test_readings import WIDER, evidence, open_paper
 
@@ -29,3 +32,10 @@ def test_fingerprint_names_its_column_and_the_nearest_reading() -> None:
 
 def test_paper_whose_readings_were_not_run_shows_none() -> None:
     assert view(guess=5.0).rows == ()
+
+
+@pytest.mark.parametrize("page", ["md", "html"])
+def test_both_pages_say_what_a_zero_counts_in_a_distance(page: str) -> None:
+    shown = render(f"sections/readings.{page}", {"readings": view(guess=5.0, wider=0.05)})
+
+    assert f"a zero against another number counts as {FARTHEST:g}." in shown
