@@ -42,7 +42,7 @@ class LocalExecutor(Executor):
     """
 
     def __init__(self, workers: int, *, processes: bool = False) -> None:
-        """Start the threads; InputError for less than one worker."""
+        """Start the threads; InputError for less than one worker, or more than can be started."""
         self._processes = processes
         self._work: SimpleQueue[_Work | None] = SimpleQueue()
         self._stopped = Event()
@@ -52,8 +52,14 @@ class LocalExecutor(Executor):
             Thread(target=self._serve, args=(worker,), name=f"run-{k}", daemon=True)
             for k, worker in enumerate(self._workers, 1)
         ]
-        for thread in self._threads:
-            thread.start()
+        for started, thread in enumerate(self._threads):
+            try:
+                thread.start()
+            except RuntimeError:
+                for _ in range(started):
+                    self._work.put(None)
+                message = f"workers is {workers}; no more than {started} can be started here"
+                raise InputError(message) from None
 
     def submit(
         self, function: Callable[P, T], /, *arguments: P.args, **named: P.kwargs

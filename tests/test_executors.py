@@ -5,7 +5,7 @@ import time
 from collections import Counter
 from concurrent.futures import Executor
 from pathlib import Path
-from threading import current_thread
+from threading import Thread, active_count, current_thread
 
 import pytest
 
@@ -29,6 +29,30 @@ def test_less_than_one_worker_is_refused(workers: int) -> None:
         local(workers),
     ):
         pass
+
+
+def test_more_workers_than_can_be_started_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    before, start = active_count(), Thread.start
+    started: list[Thread] = []
+
+    def third_fails(thread: Thread) -> None:
+        if len(started) == 2:
+            message = "can't start new thread"
+            raise RuntimeError(message)
+        start(thread)
+        started.append(thread)
+
+    monkeypatch.setattr(Thread, "start", third_fails)
+
+    with (
+        pytest.raises(InputError, match="workers is 9; no more than 2 can be started here"),
+        local(9),
+    ):
+        pass
+
+    for thread in started:
+        thread.join(10)
+    assert active_count() == before
 
 
 def test_cores_are_those_that_this_process_may_use(monkeypatch: pytest.MonkeyPatch) -> None:
