@@ -155,11 +155,15 @@ def _report(options: argparse.Namespace) -> int:
 def _verify(options: argparse.Namespace) -> int:
     from repro.plan import plan  # noqa: PLC0415 (slow imports late)
     from repro.provenance import provenance  # noqa: PLC0415
+    from repro.store import Store  # noqa: PLC0415
     from repro.verify import Outcome, verify  # noqa: PLC0415
 
+    folder = options.folder or options.store
+    with Store(folder, writing=False) as store:
+        repeats = max(store.repeats(), options.repeats)
     found = verify(
-        options.folder or options.store,
-        plan(all_papers().values(), options.repeats),
+        folder,
+        plan(all_papers().values(), repeats, options.master_seed),
         sample=options.sample,
         seed=options.seed,
         here=provenance(),

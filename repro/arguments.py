@@ -67,7 +67,8 @@ def _add_runs(parsers: Mapping[str, argparse.ArgumentParser]) -> None:
     times = "how often the whole protocol runs"
     for name in ("reproduce", "report", "list", "compare"):
         default = 1 if name == "compare" else DEFAULT_REPEATS
-        parsers[name].add_argument("--repeats", type=int, default=default, help=times)
+        text = f"{times} (default: {default})"
+        parsers[name].add_argument("--repeats", type=int, default=default, metavar="N", help=text)
     parsers["verify"].add_argument(
         "--repeats", type=int, default=DEFAULT_REPEATS, help=argparse.SUPPRESS
     )
@@ -80,7 +81,7 @@ def _add_runs(parsers: Mapping[str, argparse.ArgumentParser]) -> None:
         "--processes", action="store_true", help="every run in a process, safe from its crash"
     )
     reproduce.add_argument("--dask", metavar="ADDRESS", help="use the Dask cluster at this address")
-    for name in ("reproduce", "report", "again"):
+    for name in ("reproduce", "report", "again", "verify"):
         parsers[name].add_argument(
             "--master-seed", default="", metavar="TEXT", help="makes every run another one"
         )

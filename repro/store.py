@@ -160,6 +160,12 @@ class Store:
             rows = self._database.execute("select key from run where reason is null")
             return frozenset(key for (key,) in rows)
 
+    def repeats(self) -> int:
+        """Return how many repeats the runs are of; a damaged row adds one at most."""
+        with self._refusing():
+            found = self._database.execute("select count(distinct repeat) from run").fetchone()
+            return int(found[0])
+
     def add(self, records: Iterable[Record]) -> None:
         """Write finished runs in one transaction."""
         marks = ", ".join("?" * 14)

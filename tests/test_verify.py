@@ -9,7 +9,7 @@ import pytest
 from repro.__main__ import main
 from repro.errors import InputError
 from repro.plan import plan
-from repro.run import Record
+from repro.run import Record, execute
 from repro.store import Store
 from repro.verify import LAST_BITS, Outcome, Verification, compare, verify
 from tests.small_papers import PAPER
@@ -133,6 +133,22 @@ def test_runs_of_another_version_are_counted_and_not_compared(folder: Path) -> N
     found = verify(folder, plan([replace(PAPER, key="other")], 1), sample=5, seed="1", here={})
 
     assert (found.stored, found.current, found.sample) == (6, 0, ())
+
+
+@pytest.mark.parametrize(("seed", "current"), [("", 72), ("other", 0)])
+def test_every_repeat_of_the_store_can_be_in_the_sample(
+    tmp_path: Path, seed: str, current: int, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with Store(tmp_path / "twelve") as opened:
+        opened.begin(ENVIRONMENT)
+        opened.add(execute(task) for task in plan([PAPER], 12, protocol_only=True))
+    assert folder
+
+    command = ("verify", str(tmp_path / "twelve"), "--master-seed", seed, "--sample", "1", "--json")
+    assert main(command) == 0
+
+    found = json.loads(capsys.readouterr().out)
+    assert (found["stored"], found["current"]) == (72, current)
 
 
 def test_damaged_rows_are_named_with_exit_code_3(
