@@ -5,6 +5,7 @@ import numpy as np
 from repro.evidence import Runs
 from repro.model import Paper
 from repro.report.compare_view import comparison, printed_means
+from repro.report.pages import render
 from tests.small_papers import EXPERIMENT, PAPER
 
 
@@ -43,3 +44,14 @@ def test_paper_that_prints_no_mean_has_no_place_to_take() -> None:
 
     assert printed_means(bare, "search", "bowl") == {}
     assert compared(bare)[0] == ("bowl", "none", "0.2000", "–")
+
+
+def test_markdown_page_raises_powers_of_ten() -> None:
+    found = {("search", "bowl", name): runs(2e-65, 2e-65, 2e-65) for name in ("mine", "guess")}
+    view = comparison(PAPER, EXPERIMENT, found, (), name="mine")
+    shown = {"name": "mine", "place": "mine:f", "repeats": 1, "failed": []}
+
+    page = render("compare.md", shown | {"papers": [(PAPER, [view])]})
+
+    assert page.count("2.000×10<sup>−65</sup>") >= 5  # in standings, printed means and tests
+    assert "&lt;" not in page
