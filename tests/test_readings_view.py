@@ -36,6 +36,9 @@ def test_paper_whose_readings_were_not_run_shows_none() -> None:
 
 @pytest.mark.parametrize("page", ["md", "html"])
 def test_both_pages_say_what_a_zero_counts_in_a_distance(page: str) -> None:
-    shown = render(f"sections/readings.{page}", {"readings": view(guess=5.0, wider=0.05)})
+    shown = view(guess=5.0, wider=0.05)
+    context = {"readings": shown, "reading_repeats": 1, "provenance": {"repeats": 20}}
 
-    assert f"a zero against another number counts as {FARTHEST:g}." in shown
+    text = render(f"sections/readings.{page}", context)
+
+    assert f"a zero against another number counts as {FARTHEST:g}." in text

@@ -7,6 +7,12 @@ ROBOGUIDE = Gap(
     where="section V-C 1) and section VI",
     because="the waypoints P1 to P4, the times and the planned motion are not printed",
 )
+SMOOTHER = Gap(
+    what="smoother transitions and results of simulation and arm that agree",
+    where="section V-C",
+    because="no measure of either is named, and no curve or time of these motions is printed as "
+    "data",
+)
 PHYSICAL_ARM = Gap(
     what="times on the physical arm (16.4 % less)",
     where="section V-C 2) and section VI",
@@ -21,10 +27,12 @@ TOOL_ERROR = Gap(
 ERRATA = (
     Erratum(
         where="Table I, F12",
-        printed="10 sin²(π (x_1+1)/4), Σ ((x_i+1)/4)² closed before the factor 1 + 10 sin²(π "
-        "(x_n+1)/4), which so multiplies the sum once",
+        printed="π/n [10 sin²(π (x_1+1)/4) + Σ ((x_i+1)/4)²] (1 + 10 sin²(π (x_n+1)/4)) + "
+        "((x_n+1)/4)² + Σ U: the factor stands outside the sum, the last square outside π/n, and U "
+        "is not defined",
         used="Generalized penalized function 1 with y_i = 1 + (x_i+1)/4 and the factor "
-        "1 + 10 sin²(π y_{i+1}) inside the sum (Yao, Liu & Lin 1999)",
+        "1 + 10 sin²(π y_{i+1}) inside the sum, the last square inside π/n, and U as there (Yao, "
+        "Liu & Lin 1999)",
         because="the name, box, constants and optimum are those of that function",
     ),
     Erratum(

@@ -3,9 +3,12 @@
 from collections.abc import Mapping
 
 from papers.liang2026.experiments import BENCHMARK, MOTION
+from papers.liang2026.open_motion import MOTION_OPEN
 from papers.liang2026.tool import tool_positions
 from repro.model import Alternative, Assumption
-from repro.optimisers import HybridWOA
+from repro.optimisers import HybridWOA, SlimeWOA
+
+BY_EQUATIONS = HybridWOA(leader="per whale", spiral_range="symmetric")
 
 
 def both(algorithm: str, change: object) -> Mapping[tuple[str, str], object]:
@@ -13,7 +16,7 @@ def both(algorithm: str, change: object) -> Mapping[tuple[str, str], object]:
     return {("benchmark", algorithm): change, ("motion", algorithm): change}
 
 
-ASSUMPTIONS = (
+_ALGORITHMS = (
     Assumption(
         what="unit of lengths in Table III and of positions in Table IV",
         where="Tables III and IV",
@@ -45,7 +48,20 @@ ASSUMPTIONS = (
                 name="WOA by its equations",
                 says="WOA as its paper's equations say: one random whale for all coordinates, l "
                 "uniform in [-1, 1]",
-                algorithms=both("WOA", HybridWOA(leader="per whale", spiral_range="symmetric")),
+                algorithms=both("WOA", BY_EQUATIONS),
+            ),
+            Alternative(
+                name="WOA by its equations, vectors",
+                says="the same, with A and C drawn for every coordinate, as they are vectors there",
+                algorithms=both("WOA", BY_EQUATIONS(coefficients="vector")),
+            ),
+            Alternative(
+                name="WOA with one draw",
+                says="WOA by its equations, with one r for A and C, which both print",
+                algorithms=both(
+                    "WOA",
+                    SlimeWOA(leader="per whale", spiral_range="symmetric", shared_draw=True),
+                ),
             ),
             Alternative(
                 name="PSO clipped",
@@ -57,7 +73,9 @@ ASSUMPTIONS = (
                 untried="nothing in the text says so, and there is no end of settings",
             ),
         ),
-        because="the paper gives neither parameters nor programs",
+        because="the paper prints the equations of WOA, with l in [-1, 1] and one random whale, "
+        "and of the others nothing; it gives no program, and a column of comparison is taken for "
+        "the published program",
     ),
     Assumption(
         what="DBO group sizes for 50 beetles",
@@ -114,6 +132,10 @@ ASSUMPTIONS = (
                 says="a fresh number for every coordinate",
                 algorithms=both("IWOA", {"coefficients": "vector"}),
             ),
+            Alternative(
+                says="one r for both, as they are printed",
+                untried="the search of IWOA draws two; it is tried of the column WOA",
+            ),
         ),
         because="they are called vectors, but r is called a number and |A| is compared with 1",
     ),
@@ -135,6 +157,10 @@ ASSUMPTIONS = (
         where="Eqs. (17)-(18), step 5",
         chosen="the worse half; F = 0.5, CR = 0.9",
         alternatives=(
+            Alternative(
+                says="a random share",
+                untried="the search takes the worse; which some are meant is not said",
+            ),
             Alternative(
                 name="evolution of all",
                 says="all whales",
@@ -246,43 +272,8 @@ ASSUMPTIONS = (
         ),
         because="the text is silent; this is what WOA's program does",
     ),
-    Assumption(
-        what="range in which a duration is sought",
-        where="section IV-C",
-        chosen="0.1 s to 5 s per segment",
-        alternatives=(
-            Alternative(
-                name="durations to 10 s",
-                says="0.1 s to 10 s, the whole time before optimisation",
-                problems={("motion", "FANUC"): {"durations": (0.1, 10.0)}},
-            ),
-            Alternative(
-                name="durations from 1 s",
-                says="1 s to 5 s",
-                problems={("motion", "FANUC"): {"durations": (1.0, 5.0)}},
-            ),
-        ),
-        because="the text is silent; 5 s is the duration before optimisation",
-    ),
-    Assumption(
-        what="handling of motions that break a limit",
-        where="Eq. (7), section IV-C",
-        chosen="any motion that obeys comes before any that does not, and these by excess",
-        alternatives=(
-            Alternative(
-                name="penalty for excess",
-                says="a penalty of 1000 s per unit of relative excess",
-                problems={("motion", "FANUC"): {"handling": "penalty"}},
-            ),
-            Alternative(
-                name="flat cost",
-                says="one flat cost",
-                problems={("motion", "FANUC"): {"handling": "rejection"}},
-            ),
-        ),
-        because="the text is silent; this rule has no weight to choose",
-    ),
 )
+ASSUMPTIONS = (*_ALGORITHMS, *MOTION_OPEN)
 
 # Those on which the text is most at odds with itself: it calls A and C vectors, makes p_t take the
 # place of WOA's 0.5 without saying of what, and leaves open who evolves.

@@ -4,6 +4,12 @@ from repro.model import Erratum, Gap
 
 GAPS = (
     Gap(
+        what="velocity and acceleration of the cubic are continuous, its motion seamless",
+        where="section IV, Fig. 2",
+        because="one polynomial has no jump between its ends, whatever its coefficients; the text "
+        "claims zero acceleration at the ends of the quintic alone",
+    ),
+    Gap(
         what="the curves of Figs. 2 to 6 themselves",
         where="section IV and section V",
         because="they are printed as pictures without data, and neither the duration nor the "
@@ -56,9 +62,10 @@ GAPS = (
 ERRATA = (
     Erratum(
         where="the second Table IV, column θ",
-        printed="q_1 in all six rows",
+        printed="q_1 in five rows and q with a dotless i in one, on the copy at hand",
         used="q_1 to q_6",
-        because="every joint has its own angle; the column is not used otherwise",
+        because="every joint has its own angle, and the page may have an index that the copy lost; "
+        "the column is not used otherwise",
     ),
     Erratum(
         where="number of the table of link parameters",
@@ -97,7 +104,8 @@ ERRATA = (
         printed="WOA parameters; number of generations N_g and number of iterations N; matrix P "
         "of N_w rows, filled as G[j,i] with i up to N_g",
         used="GA parameters; N_g chromosomes, N generations, one matrix",
-        because="the block repeats Table III; it also breaks off after step 2",
+        because="the block repeats Table III; the copy at hand has lost what follows step 2, at "
+        "the end of a page",
     ),
     Erratum(
         where="abstract and section III-A",

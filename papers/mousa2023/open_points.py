@@ -9,6 +9,7 @@ from repro.optimisers import HybridWOA
 from repro.robotics import cubic
 
 BY_EQUATIONS = HybridWOA(leader="per whale", spiral_range="symmetric")
+BY_VECTORS = BY_EQUATIONS(coefficients="vector")
 
 
 def every(**fields: object) -> Mapping[tuple[str, str], object]:
@@ -48,6 +49,11 @@ ASSUMPTIONS = (
             Alternative(
                 says="root of the mean square",
                 untried="it is the norm divided by a constant: the same order of all curves",
+            ),
+            Alternative(
+                says="length of the path and energy, which section III-B names of GA",
+                untried="neither is defined or printed, and the steps of Tables III and IV have "
+                "the norm alone",
             ),
             Alternative(
                 says="greatest difference",
@@ -140,13 +146,18 @@ ASSUMPTIONS = (
                 "uniform in [-1, 1]",
                 algorithms={(experiment.name, "WOA"): BY_EQUATIONS for experiment in EXPERIMENTS},
             ),
+            Alternative(
+                name="WOA by its equations, vectors",
+                says="the same, with A and C drawn for every coordinate, as they are vectors there",
+                algorithms={(experiment.name, "WOA"): BY_VECTORS for experiment in EXPERIMENTS},
+            ),
         ),
         because="Table III has no step that moves a whale",
     ),
     Assumption(
         what="lineage of GA",
         where="section III-B, Table IV",
-        chosen="as section III-B tells it: random parents, each gene that of the one or the "
+        chosen="as section III-B tells of random parents: each gene is that of the one or the "
         "other, a child replaces an agent only where it is better (rate 80 %), an agent is drawn "
         "anew whatever its cost (rate 1 %)",
         alternatives=(
@@ -169,8 +180,10 @@ ASSUMPTIONS = (
                 },
             ),
         ),
-        because="how a child comes of its parents is not told, and the two rates are those of "
-        "MATLAB's program, which the authors may have used. The lineage decides: GA that blends "
+        because="section III-B tells of random parents and also of selecting the best paths; how "
+        "a child comes of its parents is not on the copy, which has lost the end of Table IV. The "
+        "two rates are those of MATLAB's program, which the authors may have used. The lineage "
+        "decides: GA that blends "
         "is well ahead of WOA, GA that exchanges genes about equal to it. The one as told was "
         "added when runs of the other had shown this",
     ),
@@ -184,7 +197,8 @@ ASSUMPTIONS = (
                 untried="no values of the ranges are printed",
             ),
         ),
-        because="they are listed as inputs without values, and no step uses them",
+        because="they are listed as inputs without values; that paths satisfy the constraints, as "
+        "section III-B says, no step of the tables that are left ensures",
     ),
     Assumption(
         what="Denavit-Hartenberg convention",

@@ -120,13 +120,6 @@ ENDS = (
     _ends("cubic", EQUATION_4, "velocity", "rad/s", "section IV, Eqs. (2)-(4)"),
     _ends("quintic", EQUATION_9, "velocity", "rad/s", "section IV, Eqs. (6)-(9)"),
     _ends("quintic", EQUATION_9, "acceleration", "rad/s^2", "section IV, Eqs. (6)-(9)"),
-    _ends(
-        "cubic (its acceleration is called continuous and its motion seamless)",
-        EQUATION_4,
-        "acceleration",
-        "rad/s^2",
-        "section IV, Fig. 2",
-    ),
 )
 SHAPES = (
     Sentence(

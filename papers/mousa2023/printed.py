@@ -26,5 +26,5 @@ EQUATION_4 = ("1", "0", "3", "-2")  # a_0 is q_start, the others multiply (q_end
 EQUATION_9 = ("1", "0", "0", "10", "-15", "6")  # likewise
 CROSSOVER = Printed("80", "%")  # section III-B
 MUTATION = Printed("1", "%")  # section III-B
-REACH = Printed("600", "mm")  # the R600 of the arm's name, title and section IV
+REACH = Printed("600", "mm")  # the R600 of the arm's name, keywords and section IV
 FREEDOMS = Printed("6")  # title and section IV

@@ -19,6 +19,12 @@ GAPS = (
         where="section 3.2",
         because="no computing times are printed; it is an estimate on paper, not a result",
     ),
+    Gap(
+        what="a greater probability of finding the global optimum, and faster convergence",
+        where="abstract, sections 1.2 and 3.1",
+        because="no rate of success, no threshold of it and no curve of convergence on the "
+        "functions is printed",
+    ),
 )
 
 _FUNCTIONS = (
@@ -100,6 +106,12 @@ _EQUATIONS = (
         printed="r_1 ≥ z ∪ r_2 < p",
         used="r_1 ≥ z and r_2 < p",
         because="with a union the cases overlap; it concerns SMA",
+    ),
+    Erratum(
+        where="Eq. (8), v_c",
+        printed="v_c falls linearly from 1 to 0",
+        used="a number drawn for every coordinate from -v_c to v_c, as SMA's program",
+        because="the column SMA is its authors' program; it concerns SMA",
     ),
     Erratum(
         where="section 2.1",

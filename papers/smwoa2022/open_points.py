@@ -1,6 +1,7 @@
 """SMWOA: what the paper leaves open of the algorithm and of its tests."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 from papers.smwoa2022.experiments import FUNCTION_OF
 from papers.smwoa2022.open_motion import MOTION
@@ -10,6 +11,7 @@ from repro.model import Alternative, Assumption
 from repro.optimisers import SlimeWOA
 
 BY_EQUATIONS = SlimeWOA(leader="per whale", spiral_range="symmetric")
+BY_VECTORS = replace(BY_EQUATIONS, coefficients="vector")
 
 
 def both(change: object) -> Mapping[tuple[str, str], object]:
@@ -27,6 +29,10 @@ _ALGORITHM = (
                 name="restart",
                 says="the restart with z = 0.03, as in SMA's program",
                 algorithms=both({"restart": 0.03}),
+            ),
+            Alternative(
+                says="the contraction by v_c",
+                untried="the search of SMWOA has no such move, nor has section 3",
             ),
         ),
         because="section 3 describes three moves, Eqs. (12) to (14), and no other",
@@ -150,6 +156,18 @@ _BENCHMARK = (
                 },
             ),
             Alternative(
+                name="WOA by its equations, vectors",
+                says="the same, with A and C drawn for every coordinate, as r_rand is a vector",
+                algorithms={
+                    ("benchmark", "WOA"): BY_VECTORS,
+                    ("trajectory", "WOA"): BY_VECTORS,
+                },
+            ),
+            Alternative(
+                says="SMA by Eq. (8), with a v_c that falls linearly",
+                untried="the search of SMA draws v_c, as its authors' program does",
+            ),
+            Alternative(
                 name="PSO clipped",
                 says="PSO with every particle held in the box",
                 algorithms={("benchmark", "PSO"): {"clip": "every particle"}},
@@ -169,7 +187,9 @@ _BENCHMARK = (
                 untried="nothing in the text says so, and there is no end of settings",
             ),
         ),
-        because="the paper gives neither parameters nor programs",
+        because="the paper prints the equations of WOA and, but for z, of SMA, and of the others "
+        "nothing; it gives no program, and a column of comparison is taken for the published "
+        "program",
     ),
     Assumption(
         what="dimension of F8",

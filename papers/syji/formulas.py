@@ -60,6 +60,8 @@ FORMULAS = (
         says="A whale encircles the best one, or searches about a random one, while a falls from 2 "
         "to 0.",
         code="repro.optimisers.whale",
+        departs="as in the program of WOA's authors, A and C are one number per whale, and X_rand "
+        "is a new whale for every coordinate",
     ),
     Formula(
         label="Eq. (14)",

@@ -6,8 +6,10 @@ from papers.syji.printed import TABLE_3, WHOLE
 from papers.syji.sentences import times
 from papers.syji.table_2 import ACCELERATION_FIRST, table_2_claims
 from repro.model import Alternative, Assumption
-from repro.optimisers import HybridWOA
+from repro.optimisers import HybridWOA, SlimeWOA
 from repro.verdict import Absolute
+
+BY_EQUATIONS = HybridWOA(leader="per whale", spiral_range="symmetric")
 
 _JERK = TABLE_3.column("Maximum Jerk")
 EQUAL_JERK = (_JERK[2], *_JERK[1:])  # joint 3 travels as far as joint 1
@@ -156,8 +158,20 @@ ASSUMPTIONS = (
                 name="WOA by its equations",
                 says="as the equations say: one random whale for all coordinates, l uniform in "
                 "[-1, 1]",
+                algorithms={("motion", "WOA"): BY_EQUATIONS},
+            ),
+            Alternative(
+                name="WOA by its equations, vectors",
+                says="the same, with A and C drawn for every coordinate, as r is a vector",
+                algorithms={("motion", "WOA"): BY_EQUATIONS(coefficients="vector")},
+            ),
+            Alternative(
+                name="WOA with one draw",
+                says="WOA by its equations, with one r for A and C, which both print",
                 algorithms={
-                    ("motion", "WOA"): HybridWOA(leader="per whale", spiral_range="symmetric")
+                    ("motion", "WOA"): SlimeWOA(
+                        leader="per whale", spiral_range="symmetric", shared_draw=True
+                    )
                 },
             ),
         ),
