@@ -148,6 +148,9 @@ def _report(options: argparse.Namespace) -> int:
     chosen = _chosen(options.keys)
     tasks = plan(chosen, options.repeats, options.master_seed, protocol_only=options.protocol_only)
     with Store(options.store, writing=False) as store:
+        if not store.path.exists():
+            message = f"there is no store in {options.store}; `repro reproduce` makes one"
+            raise InputError(message)
         write_report(store, chosen, tasks, options.reports, all_papers().values())
     return _written(options)
 

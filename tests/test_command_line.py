@@ -10,6 +10,7 @@ import pytest
 from repro.__main__ import all_papers, main
 from repro.model import Paper
 from repro.schema import SCHEMA
+from repro.store import Store
 from tests.small_papers import PAPER, Failing, Guessing, searching
 
 KEYS = tuple(all_papers())
@@ -67,7 +68,7 @@ def test_unknown_paper_is_named_with_the_known_ones(run: Run, command: str) -> N
         (("report", "--store", "file"), "the store folder file cannot be used: it is a file"),
         (("list", "--store", "file"), "the store folder file cannot be used: it is a file"),
         (("reproduce", "--reports", "file"), "the reports folder file cannot be used: File exists"),
-        (("report", "--reports", "file"), "the reports folder file cannot be used: File exists"),
+        (("report",), "there is no store in .repro; `repro reproduce` makes one"),
     ],
 )
 def test_bad_input_is_one_line_and_exit_code_2(
@@ -133,6 +134,9 @@ def test_report_writes_the_pages_that_reproduce_wrote(run: Run) -> None:
 
 @pytest.mark.usefixtures("small")
 def test_report_without_runs_says_so_of_every_number(run: Run) -> None:
+    with Store(Path(".repro")):
+        pass
+
     assert run("report")[0] == 0
 
     (paper,) = json.loads(Path("reports/results.json").read_text(encoding="utf-8"))["papers"]
