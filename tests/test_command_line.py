@@ -133,6 +133,18 @@ def test_report_writes_the_pages_that_reproduce_wrote(run: Run) -> None:
 
 
 @pytest.mark.usefixtures("small")
+def test_report_refuses_a_file_as_reports_folder(run: Run) -> None:
+    with Store(Path(".repro")):
+        pass
+    Path("file").write_text("", encoding="utf-8")
+
+    code, _, err = run("report", "--reports", "file")
+
+    assert code == 2
+    assert err == "repro: the reports folder file cannot be used: File exists\n"
+
+
+@pytest.mark.usefixtures("small")
 def test_report_without_runs_says_so_of_every_number(run: Run) -> None:
     with Store(Path(".repro")):
         pass
