@@ -23,7 +23,7 @@ from benchmarks.results import Results, Section
 
 ENOUGH = 2.0  # s; a peer whose first run took longer is not asked again
 ROUNDS = 3
-OURS_PER_ROUND = 9
+OURS_PER_ROUND = 49  # the first after a peer's turn find cold caches; a peer's own lasts seconds
 FEW = 50  # iterations of the chart's first point
 
 PEERS = Section(

@@ -50,7 +50,7 @@ SEARCH = Tuple((VECTOR, float64, VECTOR, int64))(
 def ready(kernel: Any, signature: Any) -> Any:  # noqa: ANN401 (numba ships no types)
     """Return `kernel` compiled for `signature` alone, so that it passes as an argument."""
     with _LOCK:
-        if not kernel.signatures:
+        if not kernel.overloads:
             kernel.compile(signature)
             kernel.disable_compile()
     return kernel

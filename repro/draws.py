@@ -27,7 +27,8 @@ def _scrambled(word):
 
 
 @jit
-def _stepped(a, b, c, d):
+def _stepped(words):
+    a, b, c, d = words
     shifted = b << _17
     c ^= a
     d ^= b
@@ -37,10 +38,38 @@ def _stepped(a, b, c, d):
 
 
 @jit
+def held(state):
+    """Return the four words of `state`, which a loop of many draws keeps in registers."""
+    return state[0], state[1], state[2], state[3]
+
+
+@jit
+def put_back(words, state):
+    """Write words that were `held` into `state`."""
+    state[0], state[1], state[2], state[3] = words
+
+
+@jit
+def drawn(words):
+    """Return a draw from U[0, 1), as `uniform` does, and the words after it."""
+    return (_scrambled(words[1]) >> _11) * _UNIT, _stepped(words)
+
+
+@jit
+def drawn_below(n, words):
+    """Return an integer from 0..n-1, as `below` does, and the words after it.
+
+    It is unsigned: an array that it indexes need not look whether it counts from the end.
+    """
+    u, words = drawn(words)
+    return np.uint64(np.int64(n * u)), words
+
+
+@jit
 def next_word(state):
     """Return the next 64 random bits and advance `state`."""
     word = _scrambled(state[1])
-    state[0], state[1], state[2], state[3] = _stepped(state[0], state[1], state[2], state[3])
+    put_back(_stepped(held(state)), state)
     return word
 
 
@@ -56,11 +85,11 @@ def fill(draws, words, state):
 
     Faster than the calls: the state stays in registers, and the second loop vectorises.
     """
-    a, b, c, d = state[0], state[1], state[2], state[3]
+    present = held(state)
     for k in range(len(draws)):
-        words[k] = b
-        a, b, c, d = _stepped(a, b, c, d)
-    state[0], state[1], state[2], state[3] = a, b, c, d
+        words[k] = present[1]
+        present = _stepped(present)
+    put_back(present, state)
     for k in range(len(draws)):
         draws[k] = (_scrambled(words[k]) >> _11) * _UNIT
 

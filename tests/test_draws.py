@@ -8,7 +8,19 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from repro.draws import below, fill, next_word, normal, state_from, uniform
+from repro.compiled import jit
+from repro.draws import (
+    below,
+    drawn,
+    drawn_below,
+    fill,
+    held,
+    next_word,
+    normal,
+    put_back,
+    state_from,
+    uniform,
+)
 from repro.optimisers.tent_map import tent
 
 WORD = 2**64
@@ -36,6 +48,16 @@ def array(state: list[int]) -> State:
     return np.array(state, dtype=np.uint64)
 
 
+@jit  # type: ignore[untyped-decorator]
+def held_pair(n: int, state: State) -> tuple[float, int]:
+    """Return one number and one integer below n, drawn from a held state."""
+    words = held(state)
+    u, words = drawn(words)
+    k, words = drawn_below(n, words)
+    put_back(words, state)
+    return u, k
+
+
 def test_words_are_the_published_ones() -> None:
     state = array([1, 2, 3, 4])
 
@@ -61,6 +83,14 @@ def test_filling_draws_the_same_numbers_as_one_call_after_the_other(count: int) 
 
     assert draws.tolist() == [uniform(one_by_one) for _ in range(count)]
     assert at_once.tolist() == one_by_one.tolist()
+
+
+@given(st.lists(st.integers(0, WORD - 1), min_size=4, max_size=4), st.integers(1, 1000))
+def test_a_state_held_in_registers_draws_the_same_numbers(start: list[int], n: int) -> None:
+    state, same = array(start), array(start)
+
+    assert held_pair(n, state) == (float(uniform(same)), int(below(n, same)))
+    assert state.tolist() == same.tolist()
 
 
 def test_state_is_four_words_of_the_generator_and_moves_it_on() -> None:

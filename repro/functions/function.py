@@ -72,8 +72,7 @@ class BenchmarkProblem:
     @property
     def bounds(self) -> Vector:
         """Lower and upper bound of each coordinate, shape (dimension, 2)."""
-        repeats = 1 if self.function.fixed_dimension else self.dimension
-        return np.tile(np.array(self.function.box), (repeats, 1))
+        return np.full((self.dimension, 2), self.function.box, dtype=np.float64)
 
     @property
     def kernel(self) -> Any:  # noqa: ANN401 (numba ships no types)

@@ -3,7 +3,7 @@
 import numpy as np
 
 from repro.compiled import jit
-from repro.draws import uniform
+from repro.draws import drawn, held, put_back
 
 
 @jit
@@ -14,9 +14,12 @@ def uniform_population(bounds, population, state):
     """
     n = bounds.shape[0]
     X = np.empty((population, n))
+    words = held(state)
     for j in range(n):
         for i in range(population):
-            X[i, j] = bounds[j, 0] + (bounds[j, 1] - bounds[j, 0]) * uniform(state)
+            u, words = drawn(words)
+            X[i, j] = bounds[j, 0] + (bounds[j, 1] - bounds[j, 0]) * u
+    put_back(words, state)
     return X
 
 

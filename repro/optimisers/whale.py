@@ -17,7 +17,7 @@ from typing import Unpack
 import numpy as np
 
 from repro.compiled import jit
-from repro.draws import below, uniform
+from repro.draws import drawn, drawn_below, held, put_back
 from repro.optimisers.population import copy_into, uniform_population
 from repro.optimisers.search import Budget, Problem, Result, search
 from repro.waves import cosine_of_turns
@@ -30,7 +30,7 @@ def _woa(cost, data, bounds, population, iterations, parameters, state):
     X, lower, upper = _padded(bounds, population, state)
     row = np.zeros(X.shape[1])
     x = row[:n]  # the whale at `cost`: a row of X would be reference-counted at every call
-    best = np.zeros_like(row)
+    best, leader = np.zeros_like(row), np.zeros_like(row)
     best_cost = np.inf
     history = np.empty(iterations)
     for t in range(iterations):
@@ -44,7 +44,7 @@ def _woa(cost, data, bounds, population, iterations, parameters, state):
         history[t] = best_cost
         a = 2.0 - 2.0 * t / iterations
         a2 = -1.0 - t / iterations
-        _move(X, best, a, a2, b, n, state)
+        _move(X, best, leader, a, a2, b, n, state)
     return best[:n].copy(), best_cost, history, population * iterations
 
 
@@ -60,24 +60,32 @@ def _padded(bounds, population, state):
 
 
 @jit
-def _move(X, best, a, a2, b, n, state):
+def _move(X, best, leader, a, a2, b, n, state):
     population, width = X.shape
+    words = held(state)
     for i in range(population):
-        A = 2.0 * a * uniform(state) - a  # Eq. (2.3)
-        C = 2.0 * uniform(state)  # Eq. (2.4)
-        l = (a2 - 1.0) * uniform(state) + 1.0  # noqa: E741 (the paper's letter)
-        if uniform(state) < 0.5:
+        r1, words = drawn(words)
+        r2, words = drawn(words)
+        u, words = drawn(words)
+        p, words = drawn(words)
+        A = 2.0 * a * r1 - a  # Eq. (2.3)
+        C = 2.0 * r2  # Eq. (2.4)
+        l = (a2 - 1.0) * u + 1.0  # noqa: E741 (the paper's letter)
+        if p < 0.5:
             if abs(A) < 1.0:
                 for j in range(width):
                     X[i, j] = best[j] - A * abs(C * best[j] - X[i, j])  # Eqs. (2.1)-(2.2)
             else:
                 for j in range(n):
-                    leader = X[below(population, state), j]
-                    X[i, j] = leader - A * abs(C * leader - X[i, j])  # Eqs. (2.7)-(2.8)
+                    k, words = drawn_below(population, words)
+                    leader[j] = X[k, j]
+                for j in range(width):
+                    X[i, j] = leader[j] - A * abs(C * leader[j] - X[i, j])  # Eqs. (2.7)-(2.8)
         else:
             turn = math.exp(b * l) * cosine_of_turns(l)
             for j in range(width):
                 X[i, j] = abs(best[j] - X[i, j]) * turn + best[j]  # Eq. (2.5)
+    put_back(words, state)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
