@@ -11,7 +11,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import papers
-from repro.arguments import parser
+from repro.arguments import parsed
 from repro.errors import InputError, ReproError, StoreError, Terminated
 from repro.model import Paper
 
@@ -28,7 +28,7 @@ PAGES = "repro.report.pages"  # takes seconds to load, with all that draws
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command and return its exit code; bad input is one line on stderr."""
-    options = parser(_COMMANDS).parse_args(arguments)
+    options = parsed(_COMMANDS, arguments)
     command: Callable[[argparse.Namespace], int] = options.command
     try:
         return command(options)
@@ -177,6 +177,9 @@ def _verify(options: argparse.Namespace) -> int:
     if found.damaged:
         message = f"{len(found.damaged)} rows are damaged; `repro reproduce` sets them aside"
         raise StoreError(message)
+    if not found.sample:
+        message = f"nothing was compared: no run in {folder} is one that this version would make"
+        raise InputError(message)
     return SOME_RUN_FAILED if found.count(Outcome.MISMATCH) else 0
 
 

@@ -110,13 +110,16 @@ class Evidence:
     def values(self, cell: Cell, quantity: str = "cost") -> Vector:
         """Return a quantity of every run, shape (repeats, runs).
 
-        It is "cost", "cost after k iterations", or what the problem itself calls `quantity`.
+        It is "cost", "cost after k iterations", "cost after half of the iterations" (rounded down,
+        of those that were run), or what the problem itself calls `quantity`.
         """
         runs = self.runs[cell]
         if quantity == "cost":
             return runs.costs
-        if match := re.fullmatch(r"cost after (\d+) iterations?", quantity):
-            iteration, last = int(match[1]), runs.histories.shape[-1]
+        if match := re.fullmatch(r"cost after (\d+ iterations?|half of the iterations)", quantity):
+            last = runs.histories.shape[-1]
+            count = match[1].split()[0]
+            iteration = last // 2 if count == "half" else int(count)
             if not 1 <= iteration <= last:
                 message = f"{'/'.join(cell)}: no {quantity!r}; it has iterations 1 to {last}"
                 raise DeclarationError(message)

@@ -19,6 +19,9 @@ ADDITIONS = (
     HybridWOA(genetic=0.3),
     HybridWOA(genetic=0.3, partner="best"),
     HybridWOA(disturbance=0.2),
+    HybridWOA(shared_draw=True),
+    HybridWOA(bounds="re-initialise"),
+    HybridWOA(bounds="reflect"),
 )
 TOGETHER = HybridWOA(
     start="tent across",
@@ -51,6 +54,7 @@ SLIME_PARTS = (
     SlimeWOA(restart=0.2),
     SlimeWOA(moves="at once"),
     SlimeWOA(greedy=True),
+    SlimeWOA(bounds="reflect"),
 )
 SLIME_TOGETHER = SlimeWOA(
     b=0.7,
@@ -68,6 +72,7 @@ SLIME_DETAILS = (
     replace(SLIME_TOGETHER, swing="per whale", weights="per whale", shared_draw=True),
     replace(SLIME_TOGETHER, coefficients="vector"),
     replace(SLIME_TOGETHER, moves="at once", greedy=True),
+    replace(SLIME_TOGETHER, bounds="re-initialise"),
     replace(SLIME_TOGETHER, coefficients="vector", shared_draw=True, leader="per dimension"),
 )
 SLIME = (*SLIME_PARTS, SLIME_TOGETHER, *SLIME_DETAILS)

@@ -62,6 +62,7 @@ USAGES: dict[str, tuple[tuple[str, ...], str]] = {
     "words for a number": (("list", "--repeats", "few"), "invalid int value: 'few'"),
     "a fraction of a worker": (("reproduce", "--workers", "1.5"), "invalid int value: '1.5'"),
     "unknown option": (("audit", "--force"), "unrecognized arguments: --force"),
+    "option of another command": (("audit", "--repeats", "2"), "usage: repro audit"),
     "option without value": (("report", "--store"), "expected one argument"),
     "two stores": (("verify", "one", "two"), "unrecognized arguments: two"),
     "sample of words": (("verify", "--sample", "all"), "invalid int value: 'all'"),

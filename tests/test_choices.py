@@ -14,7 +14,7 @@ from repro.optimisers import DBO, GSA, PSO, HybridWOA, SlimeWOA
     ("optimiser", "wrong"),
     [
         (DBO, {"groups": "as printed"}),
-        (GSA, {"bounds": "reflect"}),
+        (GSA, {"bounds": "bounce"}),
         (PSO, {"clip": "none"}),
         (HybridWOA, {"control": "Quadratic"}),
         (SlimeWOA, {"logarithm": "binary"}),

@@ -31,6 +31,8 @@ def test_cost_after_k_iterations_is_that_of_the_history() -> None:
     assert found.values(CELL, "cost after 1 iteration").tolist() == [[5, 10]]
     assert found.values(CELL, "cost after 4 iterations").tolist() == [[2, 4]]
     assert found.values(CELL, "cost after 5 iterations").tolist() == found.values(CELL).tolist()
+    half = found.values(CELL, "cost after half of the iterations")
+    assert half.tolist() == found.values(CELL, "cost after 2 iterations").tolist()
 
 
 @pytest.mark.parametrize("k", [0, 6])

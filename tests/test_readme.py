@@ -16,16 +16,26 @@ README = (ROOT / "README.md").read_text(encoding="utf-8")
 
 def test_the_readme_shows_the_generated_table_of_verdicts() -> None:
     table = (ROOT / "reports" / "verdicts.md").read_text(encoding="utf-8")
-    assert with_verdicts(README, table) == README
+    assert with_verdicts(README, table, "reports") == README
 
 
 def test_a_readme_without_the_marks_is_refused() -> None:
     with pytest.raises(InputError, match="lacks the line"):
-        with_verdicts("# a project", "| table |")
+        with_verdicts("# a project", "| table |", "reports")
 
 
 def test_the_text_around_the_table_is_kept() -> None:
-    assert with_verdicts(f"a\n{BEGIN}\nold\n{END}\nb", "new") == f"a\n{BEGIN}\nnew\n{END}\nb"
+    found = with_verdicts(f"a\n{BEGIN}\nold\n{END}\nb", "new", "reports")
+
+    assert found == f"a\n{BEGIN}\nnew\n{END}\nb"
+
+
+def test_links_of_the_table_are_moved_and_addresses_are_not() -> None:
+    table = "[a](a.md) [b](https://example.org/b) [c](/c)"
+
+    found = with_verdicts(f"{BEGIN}\n{END}", table, "some/pages")
+
+    assert "[a](some/pages/a.md) [b](https://example.org/b) [c](/c)" in found
 
 
 def test_every_python_example_of_the_readme_runs() -> None:

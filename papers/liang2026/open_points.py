@@ -1,7 +1,5 @@
 """Liang et al.: what the paper leaves open."""
 
-from collections.abc import Mapping
-
 from papers.liang2026.experiments import BENCHMARK, MOTION
 from papers.liang2026.open_motion import MOTION_OPEN
 from papers.liang2026.tool import tool_positions
@@ -11,7 +9,7 @@ from repro.optimisers import HybridWOA, SlimeWOA
 BY_EQUATIONS = HybridWOA(leader="per whale", spiral_range="symmetric")
 
 
-def both(algorithm: str, change: object) -> Mapping[tuple[str, str], object]:
+def both(algorithm: str, change: object) -> dict[tuple[str, str], object]:
     """Return a change of an algorithm in both experiments."""
     return {("benchmark", algorithm): change, ("motion", algorithm): change}
 
@@ -133,8 +131,9 @@ _ALGORITHMS = (
                 algorithms=both("IWOA", {"coefficients": "vector"}),
             ),
             Alternative(
+                name="IWOA with one draw",
                 says="one r for both, as they are printed",
-                untried="the search of IWOA draws two; it is tried of the column WOA",
+                algorithms=both("IWOA", {"shared_draw": True}),
             ),
         ),
         because="they are called vectors, but r is called a number and |A| is compared with 1",
@@ -158,8 +157,9 @@ _ALGORITHMS = (
         chosen="the worse half; F = 0.5, CR = 0.9",
         alternatives=(
             Alternative(
-                says="a random share",
-                untried="the search takes the worse; which some are meant is not said",
+                name="evolution of any half",
+                says="a random half, drawn anew in every iteration",
+                algorithms=both("IWOA", {"evolves": "any"}),
             ),
             Alternative(
                 name="evolution of all",
@@ -259,18 +259,25 @@ _ALGORITHMS = (
         "evaluations as the others",
     ),
     Assumption(
-        what="bounds of the benchmark searches",
+        what="coordinates of whales outside the box",
         where="section III-D",
-        chosen="a whale outside the box is put on its edge when it is next evaluated",
+        chosen="they are put on its edge when the whale is next evaluated",
         alternatives=(
             Alternative(
-                says="reflection",
-                untried="the programs of all five put an agent on the edge; another rule would be "
-                "another program",
+                name="reflection",
+                says="they are mirrored at the edge, by IWOA and WOA",
+                algorithms=both("IWOA", {"bounds": "reflect"})
+                | both("WOA", HybridWOA(bounds="reflect")),
             ),
-            Alternative(says="a random new place", untried="as for reflection"),
+            Alternative(
+                name="new places",
+                says="they are drawn anew from the box, by IWOA and WOA",
+                algorithms=both("IWOA", {"bounds": "re-initialise"})
+                | both("WOA", HybridWOA(bounds="re-initialise")),
+            ),
         ),
-        because="the text is silent; this is what WOA's program does",
+        because="the text is silent; this is what WOA's program does, and the other columns are "
+        "their programs",
     ),
 )
 ASSUMPTIONS = (*_ALGORITHMS, *MOTION_OPEN)

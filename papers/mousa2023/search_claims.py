@@ -31,7 +31,7 @@ from repro.verdict import Between
 RESOLUTION = 0.001  # rad: the last digit in which most angles of Eqs. (10) and (11) are printed
 TRAVEL = math.dist(START, END)  # rad
 FOLLOWED = Between(0, 0.01 * TRAVEL)  # within 1 % of the way that the joints go together
-HALF = f"cost after {FIT.iterations // 2} iterations"
+HALF = "cost after half of the iterations"
 Arm = Callable[..., Together]
 LINEAGES = {name: name for name in ALGORITHMS if name != "WOA"} | {"GA": "GA as told"}
 

@@ -32,7 +32,7 @@ _ALGORITHM = (
             ),
             Alternative(
                 says="the contraction by v_c",
-                untried="the search of SMWOA has no such move, nor has section 3",
+                untried="in none of the three moves of section 3 is there a place for it",
             ),
         ),
         because="section 3 describes three moves, Eqs. (12) to (14), and no other",
@@ -124,8 +124,14 @@ _ALGORITHM = (
                 name="greedy", says="only better moves are kept", algorithms=both({"greedy": True})
             ),
             Alternative(
-                says="reflection at the edge",
-                untried="neither parent's program does so, nor does the text say it",
+                name="reflection",
+                says="coordinates outside the box are mirrored at its edge",
+                algorithms=both({"bounds": "reflect"}),
+            ),
+            Alternative(
+                name="new places",
+                says="coordinates outside the box are drawn anew, as GSA's program does",
+                algorithms=both({"bounds": "re-initialise"}),
             ),
         ),
         because="the text is silent; this is what both parents' programs do",
@@ -164,8 +170,12 @@ _BENCHMARK = (
                 },
             ),
             Alternative(
-                says="SMA by Eq. (8), with a v_c that falls linearly",
-                untried="the search of SMA draws v_c, as its authors' program does",
+                name="SMA by Eq. (8)",
+                says="SMA as Eq. (8) is printed, with a v_c that falls linearly from 1 to 0",
+                algorithms={
+                    ("benchmark", "SMA"): {"contraction": "falling"},
+                    ("trajectory", "SMA"): {"contraction": "falling"},
+                },
             ),
             Alternative(
                 name="PSO clipped",

@@ -15,7 +15,7 @@ Sciences 179(13) (2009) 2232-2248, doi:10.1016/j.ins.2009.03.004, with E. Rashed
 
 import math
 from dataclasses import dataclass
-from typing import Literal, Unpack
+from typing import Unpack, get_args
 
 import numpy as np
 
@@ -23,7 +23,7 @@ from repro.compiled import jit
 from repro.draws import uniform
 from repro.errors import InputError
 from repro.optimisers.choices import check_choices
-from repro.optimisers.population import clip, copy_into, uniform_population
+from repro.optimisers.population import BoundsRule, copy_into, hold, uniform_population
 from repro.optimisers.search import Budget, Problem, Result, search
 
 _EPS = float(np.finfo(np.float64).eps)
@@ -32,7 +32,7 @@ _EPS = float(np.finfo(np.float64).eps)
 @jit
 def _gsa(cost, data, bounds, population, iterations, parameters, state):
     G0, alpha, final_percent = parameters[:3]
-    clips = parameters[3] == 1.0
+    rule = parameters[3]
     X = uniform_population(bounds, population, state)
     V = np.zeros_like(X)
     pull = np.empty_like(X)
@@ -42,7 +42,7 @@ def _gsa(cost, data, bounds, population, iterations, parameters, state):
     history = np.empty(iterations)
     for t in range(1, iterations + 1):
         for i in range(population):
-            _hold(X[i], bounds, clips, state)
+            hold(X[i], bounds, rule, state)
             costs[i] = cost(X[i], data)
             if costs[i] < best_cost:
                 best_cost = costs[i]
@@ -58,17 +58,6 @@ def _gsa(cost, data, bounds, population, iterations, parameters, state):
         for i in range(population):
             _fly(X[i], V[i], pull[i], G, state)
     return best, best_cost, history, population * iterations
-
-
-@jit
-def _hold(x, bounds, clips, state):
-    if clips:
-        clip(x, bounds)
-        return
-    for j in range(len(x)):
-        lower, upper = bounds[j]
-        if not lower <= x[j] <= upper:
-            x[j] = lower + (upper - lower) * uniform(state)
 
 
 @jit
@@ -128,7 +117,7 @@ class GSA:
     strength: float = 100.0
     decay: float = 20.0
     final_percent: float = 2.0
-    bounds: Literal["re-initialise", "clip"] = "re-initialise"
+    bounds: BoundsRule = "re-initialise"
 
     def __post_init__(self) -> None:
         """Raise InputError for a percentage outside [0, 100] or an unknown rule for bounds."""
@@ -139,6 +128,6 @@ class GSA:
 
     def minimise(self, problem: Problem, **budget: Unpack[Budget]) -> Result:
         """Return the best point found by N·T evaluations; see `Optimiser`."""
-        clips = 1.0 if self.bounds == "clip" else 0.0
-        parameters = (self.strength, self.decay, self.final_percent, clips)
+        rule = get_args(BoundsRule).index(self.bounds)
+        parameters = (self.strength, self.decay, self.final_percent, rule)
         return search(_gsa, problem, parameters=parameters, **budget)

@@ -11,7 +11,7 @@ cost; every candidate costs one evaluation more than WOA spends.
 
 import math
 from dataclasses import dataclass, replace
-from typing import Any, Literal, Self, Unpack
+from typing import Any, Literal, Self, Unpack, get_args
 
 import numpy as np
 
@@ -19,13 +19,12 @@ from repro.compiled import jit
 from repro.draws import below, normal, uniform
 from repro.errors import InputError
 from repro.optimisers.choices import check_choices
-from repro.optimisers.population import clip, copy_into
+from repro.optimisers.population import BoundsRule, copy_into, hold, some_of
 from repro.optimisers.search import Budget, Problem, Result, Spending, search
 from repro.optimisers.tent_map import STARTS, Start, started, tent
 from repro.waves import cosine_of_turns
 
 _LEAST = 4  # rand/1/bin needs three whales besides the one that it changes
-
 
 # places of the parameters in the vector that the kernel is given
 (
@@ -46,7 +45,10 @@ _LEAST = 4  # rand/1/bin needs three whales besides the one that it changes
     GREEDY,
     DISTURBANCE,
     PARTNER,
-) = range(17)
+    SHARED,
+    ANY,
+    BOUNDS,
+) = range(20)
 
 
 @jit
@@ -60,7 +62,7 @@ def _hybrid(cost, data, bounds, population, iterations, parameters, state):
     history = np.empty(iterations)
     for t in range(iterations):
         for i in range(population):
-            clip(X[i], bounds)
+            hold(X[i], bounds, parameters[BOUNDS], state)
             costs[i] = cost(X[i], data)
             if costs[i] < best_cost:
                 best_cost = costs[i]
@@ -69,7 +71,9 @@ def _hybrid(cost, data, bounds, population, iterations, parameters, state):
             best_cost = _evolve(cost, data, bounds, X, costs, best, best_cost, parameters, state)
         if disturbance > 0.0:
             amplitude = disturbance * (1.0 - t / iterations)
-            best_cost = _disturb(cost, data, bounds, best, best_cost, amplitude, state)
+            best_cost = _disturb(
+                cost, data, bounds, best, best_cost, amplitude, parameters[BOUNDS], state
+            )
         history[t] = best_cost
         _move(X, best, t, iterations, parameters, state)
     extra = worst + fittest + (1 if disturbance > 0.0 else 0)
@@ -114,15 +118,18 @@ def _evolve(cost, data, bounds, X, costs, best, best_cost, parameters, state):
     worst, fittest = int(parameters[WORST]), int(parameters[FITTEST])
     population = len(costs)
     order = np.argsort(costs, kind="mergesort")
+    evolved = order[population - worst :]
+    if parameters[ANY] == 1.0:
+        evolved = some_of(population, worst, state)
     for rank in range(worst + fittest):
         if rank < worst:
-            i = order[population - worst + rank]
+            i = evolved[rank]
             candidate = _differential(X, i, parameters[SCALE], parameters[CROSSOVER], state)
         else:
             i = order[rank - worst]
             with_best = parameters[PARTNER] == 1.0
             candidate = _crossover(X, i, best, with_best, bounds, parameters[MUTATION], state)
-        clip(candidate, bounds)
+        hold(candidate, bounds, parameters[BOUNDS], state)
         value = cost(candidate, data)
         if value < costs[i] or parameters[GREEDY] == 0.0:
             costs[i] = value
@@ -134,14 +141,14 @@ def _evolve(cost, data, bounds, X, costs, best, best_cost, parameters, state):
 
 
 @jit
-def _disturb(cost, data, bounds, best, best_cost, amplitude, state):
+def _disturb(cost, data, bounds, best, best_cost, amplitude, rule, state):
     """Try one chaotic step from the best point, and return the best cost known after that."""
     candidate = np.empty_like(best)
     for j in range(len(best)):
         z = tent(uniform(state))
         width = bounds[j, 1] - bounds[j, 0]
         candidate[j] = best[j] + amplitude * width * (2.0 * z - 1.0)
-    clip(candidate, bounds)
+    hold(candidate, bounds, rule, state)
     value = cost(candidate, data)
     if value < best_cost:
         copy_into(best, candidate)
@@ -164,13 +171,12 @@ def _move(X, best, t, iterations, parameters, state):
     for i in range(X.shape[0]):
         A = C = 0.0
         if not vector:
-            A = 2.0 * a * uniform(state) - a
-            C = 2.0 * uniform(state)
+            A, C = _coefficients(a, parameters[SHARED], state)
         u = uniform(state)
         l = 2.0 * u - 1.0 if parameters[SPIRAL_RANGE] == 1.0 else (a2 - 1.0) * u + 1.0  # noqa: E741
         chosen = uniform(state) < threshold
         if chosen == (parameters[SELECTS] == 0.0):
-            _encircle_or_seek(X, i, best, a, A, C, vector, parameters[LEADER] == 1.0, state)
+            _encircle_or_seek(X, i, best, a, A, C, parameters, state)
         else:
             turn = math.exp(b * l) * cosine_of_turns(l)
             for j in range(X.shape[1]):
@@ -178,13 +184,20 @@ def _move(X, best, t, iterations, parameters, state):
 
 
 @jit
-def _encircle_or_seek(X, i, best, a, A, C, vector, one_leader, state):
+def _coefficients(a, shared, state):
+    """Return A and C of Eqs. (2.3)-(2.4), from one number where it is shared."""
+    r = uniform(state)
+    return 2.0 * a * r - a, 2.0 * (r if shared == 1.0 else uniform(state))
+
+
+@jit
+def _encircle_or_seek(X, i, best, a, A, C, parameters, state):
     population, n = X.shape
+    vector, one_leader = parameters[VECTOR] == 1.0, parameters[LEADER] == 1.0
     leader = below(population, state) if one_leader and (vector or abs(A) >= 1.0) else 0
     for j in range(n):
         if vector:
-            A = 2.0 * a * uniform(state) - a
-            C = 2.0 * uniform(state)
+            A, C = _coefficients(a, parameters[SHARED], state)
         if abs(A) < 1.0:
             target = best[j]
         elif one_leader:
@@ -200,9 +213,11 @@ class HybridWOA:
 
     `control` is the course of a from 2 to 0; `spiral` the first and last b; `probability` that
     of the chance which `probability_selects` names; `coefficients` says whether A and C are drawn
-    per whale or per coordinate, `leader` the same of X_rand; `spiral_range` is that of l.
-    `differential` and `genetic` are shares of the population, `scale` and `crossover` F and CR,
-    `mutation` and `disturbance` shares of the width of the box; `partner` is the one to cross with.
+    per whale or per coordinate, `shared_draw` whether both come from one number; `leader` says of
+    X_rand what `coefficients` says of A and C; `spiral_range` is that of l. `differential` and
+    `genetic` are shares of the population, `evolves` says which whales the first means, `scale`
+    and `crossover` are F and CR, `mutation` and `disturbance` shares of the width of the box;
+    `partner` is the one to cross with. `bounds` says what becomes of a coordinate outside the box.
     """
 
     start: Start = "uniform"
@@ -221,6 +236,9 @@ class HybridWOA:
     greedy: bool = True
     disturbance: float = 0.0
     partner: Literal["random", "best"] = "random"
+    shared_draw: bool = False
+    evolves: Literal["the worst", "any"] = "the worst"
+    bounds: BoundsRule = "clip"
 
     def __post_init__(self) -> None:
         """Raise InputError for a share outside [0, 1], or an unknown word."""
@@ -271,4 +289,7 @@ class HybridWOA:
             self.greedy,
             self.disturbance,
             self.partner == "best",
+            self.shared_draw,
+            self.evolves == "any",
+            get_args(BoundsRule).index(self.bounds),
         )

@@ -22,13 +22,14 @@ finite.
 
 import math
 from dataclasses import dataclass
-from typing import Unpack
+from typing import Literal, Unpack
 
 import numpy as np
 
 from repro.compiled import jit
 from repro.draws import below, uniform
 from repro.errors import InputError
+from repro.optimisers.choices import check_choices
 from repro.optimisers.population import clip, copy_into, uniform_population
 from repro.optimisers.search import Budget, Problem, Result, search
 
@@ -37,7 +38,7 @@ _EPS = float(np.finfo(np.float64).eps)
 
 @jit
 def _sma(cost, data, bounds, population, iterations, parameters, state):
-    z = parameters[0]
+    z, falls = parameters[0], parameters[1] == 1.0
     X = uniform_population(bounds, population, state)
     W = np.empty_like(X)
     costs = np.empty(population)
@@ -64,7 +65,10 @@ def _sma(cost, data, bounds, population, iterations, parameters, state):
             else:
                 p = math.tanh(abs(costs[i] - best_cost))  # Eq. (2.2)
                 _spread(vb, a, state)
-                _spread(vc, b, state)
+                if falls:
+                    vc[:] = b
+                else:
+                    _spread(vc, b, state)
                 _creep(X, i, best, W, p, vb, vc, state)
     return best, best_cost, history, population * iterations
 
@@ -110,16 +114,23 @@ def _creep(X, i, best, W, p, vb, vc, state):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SMA:
-    """Slime mould algorithm; `restart` is z, the chance that a mould starts anew."""
+    """Slime mould algorithm; `restart` is z, the chance that a mould starts anew.
+
+    `contraction` is v_c: drawn from an interval that shrinks from [-1, 1] to 0, or, as the text
+    after Eq. (2.7) can be read, the number that falls from 1 to 0.
+    """
 
     restart: float = 0.03
+    contraction: Literal["drawn", "falling"] = "drawn"
 
     def __post_init__(self) -> None:
-        """Raise InputError for a chance outside [0, 1]."""
+        """Raise InputError for a chance outside [0, 1], or an unknown word."""
+        check_choices(self)
         if not 0 <= self.restart <= 1:
             message = f"restart={self.restart} is a chance: it lies between 0 and 1"
             raise InputError(message)
 
     def minimise(self, problem: Problem, **budget: Unpack[Budget]) -> Result:
         """Return the best point found by N·T evaluations; see `Optimiser`."""
-        return search(_sma, problem, parameters=(self.restart,), **budget)
+        falls = 1.0 if self.contraction == "falling" else 0.0
+        return search(_sma, problem, parameters=(self.restart, falls), **budget)

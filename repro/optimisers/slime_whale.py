@@ -22,7 +22,7 @@ from repro.compiled import jit
 from repro.draws import below, uniform
 from repro.errors import InputError
 from repro.optimisers.choices import check_choices
-from repro.optimisers.population import clip, copy_into, uniform_population
+from repro.optimisers.population import BoundsRule, copy_into, hold, uniform_population
 from repro.optimisers.search import Budget, Problem, Result, search
 from repro.waves import cosine_of_turns
 
@@ -45,7 +45,8 @@ Swing = Literal["none", "per dimension", "per whale"]
     RESTART,
     AT_ONCE,
     GREEDY,
-) = range(13)
+    BOUNDS,
+) = range(14)
 
 
 @jit
@@ -59,7 +60,7 @@ def _slime_whale(cost, data, bounds, population, iterations, parameters, state):
     history = np.empty(iterations)
     for t in range(1, iterations + 1):
         for i in range(population):
-            clip(X[i], bounds)
+            hold(X[i], bounds, parameters[BOUNDS], state)
             value = cost(X[i], data)
             if parameters[GREEDY] == 0.0:
                 costs[i] = value
@@ -168,7 +169,7 @@ class SlimeWOA:
     `leader` whether the random whale is a new one in every dimension; `spiral_range` is that of l,
     `b` shapes the spiral. `restart` is z of Eq. (8), the chance that a whale starts anew. `moves`
     says whether a whale sees others where they have just moved; if `greedy`, a move is taken back
-    that does not lower the whale's cost.
+    that does not lower the whale's cost. `bounds` says what becomes of coordinates outside the box.
     """
 
     b: float = 1.0
@@ -184,6 +185,7 @@ class SlimeWOA:
     restart: float = 0.0
     moves: Literal["in turn", "at once"] = "in turn"
     greedy: bool = False
+    bounds: BoundsRule = "clip"
 
     def __post_init__(self) -> None:
         """Raise InputError for a chance outside [0, 1], or an unknown word."""
@@ -212,5 +214,6 @@ class SlimeWOA:
             self.restart,
             self.moves == "at once",
             self.greedy,
+            get_args(BoundsRule).index(self.bounds),
         )
         return search(_slime_whale, problem, parameters=parameters, **budget)

@@ -3,7 +3,8 @@
 import math
 import sys
 from collections.abc import Callable, Sequence
-from typing import Literal
+
+from tests.twins.box import Rule, brought_back
 
 Bounds = Sequence[tuple[float, float]]
 
@@ -19,7 +20,7 @@ def gravitational(
     strength: float = 100.0,
     decay: float = 20.0,
     final_percent: float = 2.0,
-    bounds: Literal["re-initialise", "clip"] = "re-initialise",
+    bounds: Rule = "re-initialise",
 ) -> tuple[list[float], float, list[float], int]:
     """Return best position, its cost, best cost after each iteration, and evaluations (N T)."""
     del normal  # all twins are called alike
@@ -29,7 +30,7 @@ def gravitational(
     history: list[float] = []
     evaluations = 0
     for t in range(1, iterations + 1):
-        x = [_clipped(r, box) if bounds == "clip" else _restarted(r, box, uniform) for r in x]
+        x = [brought_back(row, box, bounds, uniform) for row in x]
         costs = [cost(row) for row in x]
         evaluations += population
         for row, f in zip(x, costs, strict=True):
@@ -81,14 +82,6 @@ def _pull(
     return pull
 
 
-def _restarted(x: list[float], bounds: Bounds, uniform: Callable[[], float]) -> list[float]:
-    """Return x with a new number in place of every coordinate that lies outside."""
-    return [
-        value if lower <= value <= upper else lower + (upper - lower) * uniform()
-        for value, (lower, upper) in zip(x, bounds, strict=True)
-    ]
-
-
 def _uniform_positions(
     bounds: Bounds, population: int, uniform: Callable[[], float]
 ) -> list[list[float]]:
@@ -98,7 +91,3 @@ def _uniform_positions(
         for i in range(population):
             x[i][j] = lower + (upper - lower) * uniform()
     return x
-
-
-def _clipped(x: list[float], bounds: Bounds) -> list[float]:
-    return [min(max(v, lower), upper) for v, (lower, upper) in zip(x, bounds, strict=True)]

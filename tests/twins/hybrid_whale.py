@@ -5,6 +5,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
+from tests.twins.box import Rule, brought_back
 from tests.twins.waves import cosine_of_turns
 
 Bounds = Sequence[tuple[float, float]]
@@ -30,11 +31,14 @@ class _Additions:
     greedy: bool = True
     disturbance: float = 0.0
     partner: Literal["random", "best"] = "random"
+    shared_draw: bool = False
+    evolves: Literal["the worst", "any"] = "the worst"
+    bounds: Rule = "clip"
 
 
 def hybrid_whale(
     cost: Callable[[list[float]], float],
-    bounds: Bounds,
+    box: Bounds,
     population: int,
     iterations: int,
     uniform: Callable[[], float],
@@ -46,16 +50,19 @@ def hybrid_whale(
     Parameters are the fields of `_Additions`.
     """
     additions = _Additions(**parameters)
-    x = _START[additions.start](bounds, population, uniform)
-    herd = _Herd(cost, bounds, x, uniform, normal)
+    x = _START[additions.start](box, population, uniform)
+    herd = _Herd(cost, box, additions.bounds, x, uniform, normal)
     history: list[float] = []
     for t in range(iterations):
         for i in range(population):
-            x[i] = _clipped(x[i], bounds)
+            x[i] = herd.held(x[i])
             herd.costs[i] = herd.assess(x[i])
         order = sorted(range(population), key=herd.costs.__getitem__)
         worst = int(additions.differential * population + 0.5)
-        for i in order[population - worst :]:
+        evolved = order[population - worst :]
+        if additions.evolves == "any":
+            evolved = _some_whales(herd, worst)
+        for i in evolved:
             herd.offer(i, _recombined(herd, i, additions), greedy=additions.greedy)
         for i in order[: int(additions.genetic * population + 0.5)]:
             herd.offer(i, _blended(herd, i, additions), greedy=additions.greedy)
@@ -75,15 +82,20 @@ class _Herd:
         self,
         cost: Callable[[list[float]], float],
         bounds: Bounds,
+        rule: Rule,
         x: list[list[float]],
         uniform: Callable[[], float],
         normal: Callable[[], float],
     ) -> None:
-        self.cost, self.bounds = cost, bounds
+        self.cost, self.bounds, self.rule = cost, bounds, rule
         self.uniform, self.normal = uniform, normal
         self.x, self.costs = x, [math.inf] * len(x)
         self.best_x, self.best_cost = [0.0] * len(bounds), math.inf
         self.evaluations = 0
+
+    def held(self, x: list[float]) -> list[float]:
+        """Return x brought back into the box."""
+        return brought_back(x, self.bounds, self.rule, self.uniform)
 
     def assess(self, x: list[float]) -> float:
         """Return the cost of x, counted, and keep x if it is the best so far."""
@@ -111,6 +123,15 @@ class _Herd:
         return k
 
 
+def _some_whales(herd: _Herd, count: int) -> list[int]:
+    """Return different whales, the drawn one changing places with the next in the line."""
+    line = list(range(len(herd.x)))
+    for k in range(count):
+        other = k + int((len(line) - k) * herd.uniform())
+        line[k], line[other] = line[other], line[k]
+    return line[:count]
+
+
 def _recombined(herd: _Herd, i: int, additions: _Additions) -> list[float]:
     """Return a trial of differential evolution from three other whales."""
     r1 = herd.index_outside({i})
@@ -121,7 +142,7 @@ def _recombined(herd: _Herd, i: int, additions: _Additions) -> list[float]:
         if herd.uniform() <= additions.crossover:
             step = herd.x[r2][j] - herd.x[r3][j]
             trial[j] = herd.x[r1][j] + additions.scale * step
-    return _clipped(trial, herd.bounds)
+    return herd.held(trial)
 
 
 def _blended(herd: _Herd, i: int, additions: _Additions) -> list[float]:
@@ -133,7 +154,7 @@ def _blended(herd: _Herd, i: int, additions: _Additions) -> list[float]:
     for own, other, (lower, upper) in zip(herd.x[i], partner, herd.bounds, strict=True):
         mutation = additions.mutation * (upper - lower) * herd.normal()
         child.append(alpha * own + (1.0 - alpha) * other + mutation)
-    return _clipped(child, herd.bounds)
+    return herd.held(child)
 
 
 def _disturbed(herd: _Herd, reach: float) -> list[float]:
@@ -142,7 +163,7 @@ def _disturbed(herd: _Herd, reach: float) -> list[float]:
     for best, (lower, upper) in zip(herd.best_x, herd.bounds, strict=True):
         z = _tent(herd.uniform())
         x.append(best + reach * (upper - lower) * (2.0 * z - 1.0))
-    return _clipped(x, herd.bounds)
+    return herd.held(x)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -172,7 +193,9 @@ def _scheduled(additions: _Additions, t: int, iterations: int) -> _Schedule:
 
 def _move_by_scalars(herd: _Herd, i: int, additions: _Additions, schedule: _Schedule) -> None:
     """Move whale i in place with A and C common to its dimensions, as WOA.m."""
-    r1, r2, u, p = herd.uniform(), herd.uniform(), herd.uniform(), herd.uniform()
+    r1 = herd.uniform()
+    r2 = r1 if additions.shared_draw else herd.uniform()
+    u, p = herd.uniform(), herd.uniform()
     if _spirals(p, additions, schedule):
         _spiral(herd, i, u, additions, schedule)
         return
@@ -198,7 +221,8 @@ def _move_by_vectors(herd: _Herd, i: int, additions: _Additions, schedule: _Sche
     each = {"per dimension": True, "per whale": False}[additions.leader]
     k = i if each else herd.index()  # drawn even where no dimension searches
     for j in range(len(herd.bounds)):
-        r1, r2 = herd.uniform(), herd.uniform()
+        r1 = herd.uniform()
+        r2 = r1 if additions.shared_draw else herd.uniform()
         A = 2.0 * schedule.a * r1 - schedule.a
         C = 2.0 * r2
         if abs(A) >= 1.0:
@@ -280,10 +304,6 @@ def _tent_chain(bounds: Bounds, population: int, uniform: Callable[[], float]) -
 
 def _tent(z: float) -> float:
     return z / 0.5 if z < 0.5 else (1.0 - z) / 0.5
-
-
-def _clipped(x: list[float], bounds: Bounds) -> list[float]:
-    return [min(max(v, lower), upper) for v, (lower, upper) in zip(x, bounds, strict=True)]
 
 
 _START = {

@@ -3,6 +3,7 @@
 import math
 import sys
 from collections.abc import Callable, Sequence
+from typing import Literal
 
 
 def slime_mould(
@@ -14,6 +15,7 @@ def slime_mould(
     normal: Callable[[], float],
     *,
     restart: float = 0.03,
+    contraction: Literal["drawn", "falling"] = "drawn",
 ) -> tuple[list[float], float, list[float], int]:
     """Return best position, its cost, best cost after each iteration, and evaluations (N T)."""
     del normal  # all twins are called alike
@@ -37,7 +39,8 @@ def slime_mould(
                 x[i] = [lower + (upper - lower) * u for lower, upper in bounds]
             else:
                 p = math.tanh(abs(costs[i] - best_cost))
-                _creep(x, i, best_x, weights[i], uniform, p=p, a=a, b=b)
+                falls = contraction == "falling"
+                _creep(x, i, best_x, weights[i], uniform, p=p, a=a, b=b, falls=falls)
         history.append(best_cost)
     return best_x, best_cost, history, evaluations
 
@@ -69,10 +72,11 @@ def _creep(
     p: float,
     a: float,
     b: float,
+    falls: bool,
 ) -> None:
     """Move mould i in place; moulds after it see it moved and not yet clipped."""
     vb = [-a + 2.0 * a * uniform() for _ in best_x]
-    vc = [-b + 2.0 * b * uniform() for _ in best_x]
+    vc = [b if falls else -b + 2.0 * b * uniform() for _ in best_x]
     for j in range(len(best_x)):
         r, u1, u2 = uniform(), uniform(), uniform()
         first, second = x[int(len(x) * u1)], x[int(len(x) * u2)]

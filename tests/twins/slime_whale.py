@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from tests.twins.box import Rule, brought_back
 from tests.twins.waves import cosine_of_turns
 
 Bounds = Sequence[tuple[float, float]]
@@ -30,6 +31,7 @@ class _Parts:
     restart: float = 0.0
     moves: str = "in turn"
     greedy: bool = False
+    bounds: Rule = "clip"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -62,7 +64,7 @@ class _Moment:
 
 def slime_whale(
     cost: Callable[[list[float]], float],
-    bounds: Bounds,
+    box: Bounds,
     population: int,
     iterations: int,
     uniform: Callable[[], float],
@@ -72,13 +74,13 @@ def slime_whale(
     """Return best position, its cost, best cost after each iteration, and evaluations (N T)."""
     del normal  # all twins are called alike
     parts = _Parts(**parameters)
-    x = _uniform_positions(bounds, population, uniform)
-    best_x, best_cost = [0.0] * len(bounds), math.inf
+    x = _uniform_positions(box, population, uniform)
+    best_x, best_cost = [0.0] * len(box), math.inf
     history: list[float] = []
     kept: list[tuple[list[float], float]] = []
     evaluations = 0
     for t in range(1, iterations + 1):
-        x = [_clipped(row, bounds) for row in x]
+        x = [brought_back(row, box, parts.bounds, uniform) for row in x]
         tried = [cost(row) for row in x]
         evaluations += population
         if parts.greedy and kept:
@@ -90,7 +92,7 @@ def slime_whale(
             best_cost = min(costs)
             best_x = list(x[costs.index(best_cost)])
         history.append(best_cost)
-        weights = _weights(parts, costs, len(bounds), uniform)
+        weights = _weights(parts, costs, len(box), uniform)
         a = {
             "linear": 2.0 - 2.0 * (t - 1) / iterations,
             "arctanh": math.atanh(-t / iterations + 1.0),
@@ -101,7 +103,7 @@ def slime_whale(
             parts=parts, x=x, seen=seen, best_x=best_x, weights=weights, a=a, a2=a2, uniform=uniform
         )
         for i in range(population):
-            x[i] = _restarted(moment, bounds) or _moved(moment, i)
+            x[i] = _restarted(moment, box) or _moved(moment, i)
     return best_x, best_cost, history, evaluations
 
 
@@ -216,7 +218,3 @@ def _uniform_positions(
         for i in range(population):
             x[i][j] = lower + (upper - lower) * uniform()
     return x
-
-
-def _clipped(x: list[float], bounds: Bounds) -> list[float]:
-    return [min(max(v, lower), upper) for v, (lower, upper) in zip(x, bounds, strict=True)]
