@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from benchmarks.goals import Row, held_against
 from repro.provenance import provenance
 
 TRIED = Path(__file__).with_name("tried.md")
@@ -60,7 +61,16 @@ class Results:
             yield from map(_row, rows)
         if self.curves:
             yield from ("", "## Cost against work", "", "![Seconds by evaluations](cost.svg)")
+        yield from ("", "## What the goals came to", "")
+        yield from map(_row, (("goal", "asked", "came to"), ("---",) * 3))
+        yield from map(_row, held_against(self._by_heading()))
         yield from ("", TRIED.read_text(encoding="utf-8").rstrip())
+
+    def _by_heading(self) -> dict[str, list[Row]]:
+        return {
+            section.title: [dict(zip(section.columns, row, strict=True)) for row in rows]
+            for section, rows in self.rows.items()
+        }
 
 
 def machine() -> Mapping[str, str]:

@@ -1,0 +1,121 @@
+"""What the speed of the engine was asked to be, beside what a run of the benchmarks found."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+
+Row = Mapping[str, str]
+"""Cells of a table by the headings of their columns."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Goal:
+    """A bound on one column of a section, over the rows that hold all of `where`.
+
+    `at_least` says on which side of the bound the numbers have to lie. `unless` leaves rows out.
+    """
+
+    says: str
+    section: str
+    column: str
+    bound: float
+    unit: str
+    at_least: bool = False
+    where: Row = field(default_factory=dict)
+    unless: Row = field(default_factory=dict)
+
+    @property
+    def asked(self) -> str:
+        """The bound as words."""
+        return f"{'≥' if self.at_least else '≤'} {self.bound:,g}{self.unit}"
+
+    def came_to(self, rows: list[Row]) -> str:
+        """Return the range of what was measured, and whether all of it is on the right side."""
+        found = [
+            float(row[self.column].replace(",", "").rstrip(" %"))
+            for row in rows
+            if self.where.items() <= row.items()
+            and not any(row[name] == value for name, value in self.unless.items())
+        ]
+        if not found:
+            return "not measured"
+        least, most = min(found), max(found)
+        met = least >= self.bound if self.at_least else most <= self.bound
+        shown = f"{least:,g}" if least == most else f"{least:,g} to {most:,g}"
+        return f"{shown}{self.unit}" if met else f"**missed**: {shown}{self.unit}"
+
+
+_PEERS, _LIMIT = "Against other packages", "Against C"
+_WHOLE, _CORES = "Whole calls", "Scaling and overhead"
+_WHALE = {"algorithm": "WOA", "function": "sphere"}
+GOALS = (
+    Goal(
+        says="WOA on the sphere against mealpy's",
+        section=_PEERS,
+        where={"peer": "mealpy", **_WHALE},
+        column="ours / peer",
+        bound=600,
+        unit=" ×",
+        at_least=True,
+    ),
+    Goal(
+        says="WOA on the sphere against EvoloPy's",
+        section=_PEERS,
+        where={"peer": "evolopy", **_WHALE},
+        column="ours / peer",
+        bound=2000,
+        unit=" ×",
+        at_least=True,
+    ),
+    Goal(
+        says="time of any pair by that of the plain C loop",
+        section=_LIMIT,
+        column="ours / plain C `-O3`",
+        bound=1,
+        unit="",
+    ),
+    Goal(
+        says="by that of `-Ofast` with libmvec, where sines, cosines and exponentials dominate",
+        section=_LIMIT,
+        unless={"function": "sphere"},
+        column="ours / C `-Ofast` with libmvec",
+        bound=2,
+        unit="",
+    ),
+    Goal(
+        says="parallel efficiency on 2 cores",
+        section=_CORES,
+        column="efficiency",
+        bound=0.9,
+        unit="",
+        at_least=True,
+    ),
+    Goal(
+        says="everything compiled from cold",
+        section=_WHOLE,
+        where={"call": "compiling everything, nothing else"},
+        column="s",
+        bound=30,
+        unit=" s",
+    ),
+    Goal(
+        says="`reproduce` with nothing to do",
+        section=_WHOLE,
+        where={"call": "nothing to do"},
+        column="s",
+        bound=2,
+        unit=" s",
+    ),
+    Goal(
+        says="the engine's own part of a run",
+        section=_CORES,
+        column="overhead on 1 worker",
+        bound=5,
+        unit=" %",
+    ),
+)
+
+
+def held_against(measured: Mapping[str, list[Row]]) -> Iterator[tuple[str, str, str]]:
+    """Yield every goal, what it asks, and what the rows of the sections by title came to."""
+    for goal in GOALS:
+        yield goal.says, goal.asked, goal.came_to(measured.get(goal.section, []))
