@@ -10,6 +10,7 @@ from repro.robotics import cubic
 
 BY_EQUATIONS = HybridWOA(leader="per whale", spiral_range="symmetric")
 BY_VECTORS = BY_EQUATIONS(coefficients="vector")
+REFLECTED, ANEW = HybridWOA(bounds="reflect"), HybridWOA(bounds="re-initialise")
 
 
 def every(**fields: object) -> Mapping[tuple[str, str], object]:
@@ -151,8 +152,19 @@ ASSUMPTIONS = (
                 says="the same, with A and C drawn for every coordinate, as they are vectors there",
                 algorithms={(experiment.name, "WOA"): BY_VECTORS for experiment in EXPERIMENTS},
             ),
+            Alternative(
+                name="reflection",
+                says="the program, with coefficients outside their range mirrored at its edge "
+                "instead of put on it",
+                algorithms={(experiment.name, "WOA"): REFLECTED for experiment in EXPERIMENTS},
+            ),
+            Alternative(
+                name="new places",
+                says="the program, with coefficients outside their range drawn anew",
+                algorithms={(experiment.name, "WOA"): ANEW for experiment in EXPERIMENTS},
+            ),
         ),
-        because="Table III has no step that moves a whale",
+        because="Table III has no step that moves a whale or brings one back",
     ),
     Assumption(
         what="lineage of GA",

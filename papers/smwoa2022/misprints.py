@@ -111,7 +111,7 @@ _EQUATIONS = (
         where="Eq. (8), v_c",
         printed="v_c falls linearly from 1 to 0",
         used="a number drawn for every coordinate from -v_c to v_c, as SMA's program",
-        because="the column SMA is its authors' program; it concerns SMA",
+        because="the column SMA is its authors' program; the falling number is tried as a reading",
     ),
     Erratum(
         where="section 2.1",

@@ -170,8 +170,8 @@ _BENCHMARK = (
                 },
             ),
             Alternative(
-                name="SMA by Eq. (8)",
-                says="SMA as Eq. (8) is printed, with a v_c that falls linearly from 1 to 0",
+                name="SMA with a falling v_c",
+                says="SMA with v_c itself falling from 1 to 0, as is printed below Eq. (8)",
                 algorithms={
                     ("benchmark", "SMA"): {"contraction": "falling"},
                     ("trajectory", "SMA"): {"contraction": "falling"},

@@ -174,6 +174,16 @@ ASSUMPTIONS = (
                     )
                 },
             ),
+            Alternative(
+                name="reflection",
+                says="the program, with durations outside their range mirrored at its edge",
+                algorithms={("motion", "WOA"): HybridWOA(bounds="reflect")},
+            ),
+            Alternative(
+                name="new places",
+                says="the program, with durations outside their range drawn anew",
+                algorithms={("motion", "WOA"): HybridWOA(bounds="re-initialise")},
+            ),
         ),
         because="the paper cites them and works in MATLAB; a duration outside its range is put on "
         "the edge, as there",
