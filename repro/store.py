@@ -1,12 +1,13 @@
 """Finished runs on disk: one SQLite file, each run written once, each row under a digest."""
 
+import hashlib
 import json
 import sqlite3
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from itertools import islice
 from pathlib import Path
-from typing import Any, Self
+from typing import TYPE_CHECKING, Any, Self
 
 from repro.errors import DamageError, StoreError
 from repro.plan import Task
@@ -22,6 +23,9 @@ from repro.salvage import (
     whole_rows,
 )
 from repro.schema import NAME, UNREADABLE, lock, lock_to_read, open_to_read, open_to_write, refusing
+
+if TYPE_CHECKING:
+    from io import BufferedReader
 
 _NAMED = 20  # damaged rows that are named one by one
 _AT_ONCE = 1000  # rows that one transaction takes over from a damaged file
@@ -49,6 +53,7 @@ class Store:
         self._say = say
         self._env: int | None = None
         self._environment = ""
+        self._file: BufferedReader | None = None
 
     def __enter__(self) -> Self:
         """Lock and open; InputError for a folder that cannot be used, StoreError otherwise."""
@@ -62,9 +67,15 @@ class Store:
 
     def __exit__(self, *_: object) -> None:
         """Close and unlock."""
+        self._close()
+        self._unlock()
+
+    def _close(self) -> None:
         with suppress(*UNREADABLE):  # what was committed is on disk already
             self._database.close()
-        self._unlock()
+        if self._file is not None:
+            self._file.close()
+            self._file = None
 
     def _unlock(self) -> None:
         if self._lock is not None:
@@ -160,6 +171,18 @@ class Store:
             rows = self._database.execute("select key from run where reason is null")
             return frozenset(key for (key,) in rows)
 
+    def fingerprint(self) -> str | None:
+        """Return a digest of the whole file; None while a reader keeps runs in the journal."""
+        with self._refusing():
+            (busy, *_) = self._database.execute("pragma wal_checkpoint(truncate)").fetchone()
+        if busy:
+            return None
+        if self._file is None:
+            # open as long as the database: closing a handle of a file drops all its locks (POSIX)
+            self._file = self.path.open("rb")
+        self._file.seek(0)
+        return hashlib.file_digest(self._file, "sha256").hexdigest()
+
     def repeats(self) -> int:
         """Return how many repeats the runs are of; a damaged row adds one at most."""
         with self._refusing():
@@ -237,8 +260,7 @@ class Store:
         except StoreError:
             found = 0
         if not found:
-            with suppress(*UNREADABLE):
-                self._database.close()
+            self._close()
             self._set_file_aside(damage)
 
     def _set_file_aside(self, damage: DamageError) -> None:

@@ -1,6 +1,8 @@
 import math
 import shutil
 import sqlite3
+import subprocess
+import sys
 import tempfile
 from collections.abc import Callable, Iterator
 from contextlib import closing
@@ -285,3 +287,58 @@ def test_store_says_what_it_is(folder: Path) -> None:
 
     assert marks == [APPLICATION, SCHEMA, "wal", "ok"]
     assert APPLICATION.to_bytes(4, "big") == b"REPR"
+
+
+def fingerprint(folder: Path) -> str | None:
+    with Store(folder) as store:
+        return store.fingerprint()
+
+
+def test_a_fingerprint_is_that_of_the_same_bytes(folder: Path) -> None:
+    before = fingerprint(folder)
+
+    assert before is not None
+    with Store(folder) as store:
+        assert store.missing(TASKS) == []
+        assert store.fingerprint() == store.fingerprint() == before
+        store.begin(ENVIRONMENT)
+        assert store.fingerprint() == before
+        store.add(RECORDS[:1])
+        assert store.fingerprint() != before
+
+
+def test_a_fingerprint_changes_with_any_byte_of_the_file(folder: Path) -> None:
+    path = folder / "runs.sqlite"
+    before, content = fingerprint(folder), path.read_bytes()
+
+    for place in (len(content) // 2, len(content) - 1):
+        path.write_bytes(content[:place] + bytes([content[place] ^ 1]) + content[place + 1 :])
+        assert fingerprint(folder) != before
+    path.write_bytes(content)
+    assert fingerprint(folder) == before
+
+
+def test_there_is_no_fingerprint_while_a_reader_keeps_runs_in_the_journal(folder: Path) -> None:
+    with Store(folder) as store:
+        store.begin(ENVIRONMENT)
+        with closing(sqlite3.connect(folder / "runs.sqlite")) as reader:
+            reader.execute("begin")
+            reader.execute("select count(*) from run").fetchone()
+            store.add(RECORDS[:1])
+
+            assert store.fingerprint() is None
+
+        assert store.fingerprint() is not None
+
+
+def test_a_fingerprint_leaves_the_lock_of_the_database(folder: Path) -> None:
+    # closing another handle of the file would let go of SQLite's locks
+    with Store(folder) as store:
+        store.fingerprint()
+        program = (
+            "import fcntl, sys; file = open(sys.argv[1], 'r+b'); "
+            "fcntl.lockf(file, fcntl.LOCK_EX | fcntl.LOCK_NB)"
+        )
+        command = (sys.executable, "-c", program, str(folder / "runs.sqlite"))
+        assert subprocess.run(command, capture_output=True, check=False).returncode != 0
+    assert subprocess.run(command, capture_output=True, check=False).returncode == 0

@@ -5,7 +5,6 @@ from pathlib import Path
 import pytest
 
 from repro.__main__ import main
-from repro.errors import StoreError
 from repro.report.pages import write_report
 from repro.report.unchanged import Written
 from repro.store import Store
@@ -105,10 +104,18 @@ def test_pages_of_another_machine_are_written_again(
     assert not stand(written)
 
 
-def test_damaged_run_is_found_though_the_pages_stand(written: Written) -> None:
-    change(written.reports.parent / "store", "update run set cost = cost + 1 where id = 1")
-    with pytest.raises(StoreError, match="is damaged"):
-        stand(written)
+def test_damaged_run_is_found_though_nothing_else_changed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("repro.__main__.all_papers", lambda: {PAPER.key: PAPER})
+    places = ["--store", str(tmp_path / "store"), "--reports", str(tmp_path / "reports")]
+    command = ["reproduce", "--repeats", "1", "--protocol-only", *places]
+    assert main(command) == 0
+
+    change(tmp_path / "store", "update run set cost = cost + 1 where id = 1")
+
+    assert main(command) == 0
+    assert "is damaged; it is set aside" in capsys.readouterr().err
 
 
 def test_reproduce_with_nothing_to_do_writes_nothing(

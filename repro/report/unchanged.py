@@ -39,19 +39,24 @@ class Written:
     def stand(self, store: Store) -> bool:
         """Return whether no run is missing and writing the pages would change no byte.
 
-        Raises StoreError for a damaged run.
+        A store that is damaged since they were written is not the same, and reading it says so.
         """
         try:
             kept = (store.folder / _NAME).read_text(encoding="utf-8")
         except (OSError, ValueError):
             return False
-        return not store.missing(self.tasks) and kept == self._digests(store)
+        runs = store.fingerprint()
+        if runs is None or kept != self._digests(runs):
+            return False
+        return not store.missing(self.tasks)
 
     def remember(self, store: Store) -> None:
         """Keep digests of the pages just written and of what they follow from."""
-        write_file(store.folder / _NAME, self._digests(store))
+        runs = store.fingerprint()
+        if runs is not None:
+            write_file(store.folder / _NAME, self._digests(runs))
 
-    def _digests(self, store: Store) -> str:
+    def _digests(self, runs: str) -> str:
         """Return the place of the reports, a digest of what they follow from, and one of them."""
         digest = hashlib.sha256()
         for part in (self.chosen, self.known, *_installed(), *_machine()):
@@ -60,18 +65,8 @@ class Written:
             digest.update(_tree(Path(folder)))
         for task in self.tasks:
             digest.update(task.key.encode())
-        digest.update(_runs(store, self.tasks))
+        digest.update(runs.encode())
         return f"{self.reports.resolve()}\n{digest.hexdigest()}\n{_tree(self.reports).hex()}\n"
-
-
-def _runs(store: Store, tasks: Sequence[Task]) -> bytes:
-    digest = hashlib.sha256(repr(store.environments(tasks)).encode())
-    for record in store.records(tasks):
-        told = (record.task.key, record.cost, record.evaluations, record.seconds, record.reason)
-        digest.update(repr(told).encode())
-        digest.update(record.x.tobytes())
-        digest.update(record.history.tobytes())
-    return digest.digest()
 
 
 def _tree(folder: Path) -> bytes:
