@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
 
-from repro.report.style import GRID, WIDTH, drawing_style, line_style
+from repro.report.drawings.style import GRID, WIDTH, drawing_style, line_style
 
 Curves = Mapping[str, Sequence[tuple[float, float]]]
 

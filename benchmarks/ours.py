@@ -7,8 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from repro import optimisers
-from repro.compiled import COST, SEARCH, ready
-from repro.draws import state_from
+from repro.determinism.compiled import COST, SEARCH, ready
+from repro.determinism.draws import state_from
 from repro.functions import FUNCTIONS
 from repro.optimisers import Optimiser, differential_evolution, particle_swarm, whale
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from benchmarks.goals import Row, held_against
-from repro.provenance import provenance
+from repro.determinism.provenance import provenance
 
 TRIED = Path(__file__).with_name("tried.md")
 _OF_THE_DAY = ("date", "commit", "seed_rule")

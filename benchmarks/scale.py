@@ -18,15 +18,15 @@ from pathlib import Path
 
 import numpy as np
 
-from repro.claims import every_cell
-from repro.findings import judge_paper
-from repro.model import Paper
-from repro.plan import Task, plan
-from repro.published import PublishedTable
-from repro.run import Record
-from repro.session import gather
-from repro.store import Store
-from repro.verdict import Percent
+from repro.judge.findings import judge_paper
+from repro.model.claims import every_cell
+from repro.model.paper import Paper
+from repro.model.tolerances import Percent
+from repro.runs.plan import Task, plan
+from repro.runs.run import Record
+from repro.runs.session import gather
+from repro.runs.store.store import Store
+from repro.tables.published import PublishedTable
 from tests.small_papers import EXPERIMENT, PAPER, Bowl, Guessing
 
 RUNS, REPEATS, ITERATIONS = 30, 10, 50

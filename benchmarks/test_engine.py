@@ -20,15 +20,15 @@ from benchmarks.ours import PROBLEMS, optimiser
 from benchmarks.results import Results, Section
 from repro.__main__ import all_papers
 from repro.audit import audit
-from repro.executors import usable_cores
-from repro.findings import judge_paper
-from repro.model import Paper
-from repro.plan import Task, plan
-from repro.provenance import provenance
+from repro.determinism.provenance import provenance
+from repro.judge.findings import judge_paper
+from repro.model.paper import Paper
 from repro.report.pages import write_report
-from repro.run import Record, execute
-from repro.session import gather, run_missing
-from repro.store import Store
+from repro.runs.plan import Task, plan
+from repro.runs.run import Record, execute
+from repro.runs.session import gather, run_missing
+from repro.runs.store.store import Store
+from repro.runs.workers.local import usable_cores
 
 ROOT = Path(__file__).parent.parent
 TEN = 10  # the default number of repeats
@@ -94,8 +94,8 @@ def test_compiling(benchmark: BenchmarkFixture, results: Results, folder: Path) 
     code = (
         "from dataclasses import replace\n"
         "from repro.__main__ import all_papers\n"
-        "from repro.plan import plan\n"
-        "from repro.run import execute\n"
+        "from repro.runs.plan import plan\n"
+        "from repro.runs.run import execute\n"
         "tasks = plan(all_papers().values(), 1)\n"
         "pairs = {(type(t.optimiser), t.subject.kernel): t for t in tasks}\n"
         "for task in pairs.values():\n"

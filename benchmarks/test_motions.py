@@ -15,10 +15,11 @@ from pytest_benchmark.fixture import BenchmarkFixture
 from benchmarks.measuring import in_turns, timed
 from benchmarks.results import Results, Section
 from repro.__main__ import all_papers
-from repro.certify import certify
-from repro.compiled import COST, VECTOR, ready
+from repro.determinism.compiled import COST, VECTOR, ready
 from repro.functions.function import BenchmarkProblem
-from repro.model import Experiment, Paper
+from repro.judge.certificates import certify
+from repro.model.experiment import Experiment
+from repro.model.paper import Paper
 
 POINTS = 2000
 PAPERS = all_papers()
@@ -82,7 +83,7 @@ def _proving(paper: Paper) -> float:
     code = (
         "from time import perf_counter\n"
         "from repro.__main__ import all_papers\n"
-        "from repro.certify import certify\n"
+        "from repro.judge.certificates import certify\n"
         f"paper = all_papers()[{paper.key!r}]\n"
         "start = perf_counter()\n"
         "certify(paper)\n"

@@ -11,14 +11,14 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import papers
-from repro.arguments import parsed
+from repro.commands.arguments import parsed
 from repro.errors import InputError, ReproError, StoreError, Terminated
-from repro.model import Paper
+from repro.model.paper import Paper
 
 if TYPE_CHECKING:
-    from repro.plan import Task
-    from repro.run import Record
-    from repro.store import Store
+    from repro.runs.plan import Task
+    from repro.runs.run import Record
+    from repro.runs.store.store import Store
 
 INTERRUPTED = 130
 TERMINATED = 143
@@ -59,13 +59,13 @@ def _chosen(keys: Sequence[str]) -> list[Paper]:
 
 
 def _reproduce(options: argparse.Namespace) -> int:
-    from repro.executors import checked_workers  # noqa: PLC0415 (slow imports late)
-    from repro.interrupts import terminable  # noqa: PLC0415
-    from repro.plan import plan  # noqa: PLC0415
+    from repro.commands.interrupts import terminable  # noqa: PLC0415
     from repro.report import unchanged  # noqa: PLC0415
     from repro.report.files import usable_folder  # noqa: PLC0415
-    from repro.session import mended  # noqa: PLC0415
-    from repro.store import Store  # noqa: PLC0415
+    from repro.runs.plan import plan  # noqa: PLC0415
+    from repro.runs.session import mended  # noqa: PLC0415
+    from repro.runs.store.store import Store  # noqa: PLC0415
+    from repro.runs.workers.local import checked_workers  # noqa: PLC0415 (slow imports late)
 
     chosen = _chosen(options.keys)
     tasks = plan(chosen, options.repeats, options.master_seed, protocol_only=options.protocol_only)
@@ -98,9 +98,9 @@ def _written(options: argparse.Namespace, code: int = 0) -> int:
 
 
 def _compare(options: argparse.Namespace) -> int:
-    from repro.compare import compare  # noqa: PLC0415 (slow imports late)
-    from repro.executors import checked_workers  # noqa: PLC0415
-    from repro.progress import Progress  # noqa: PLC0415
+    from repro.commands.compare import compare  # noqa: PLC0415 (slow imports late)
+    from repro.commands.progress import Progress  # noqa: PLC0415
+    from repro.runs.workers.local import checked_workers  # noqa: PLC0415
 
     compared = compare(
         options.search,
@@ -120,11 +120,11 @@ def _compare(options: argparse.Namespace) -> int:
 
 def _run(store: "Store", tasks: Sequence["Task"], options: argparse.Namespace) -> list["Record"]:
     """Run what the store lacks, here or on a cluster, and return the failed runs."""
-    from repro import cluster  # noqa: PLC0415 (slow imports late)
-    from repro.executors import checked_workers, local  # noqa: PLC0415
-    from repro.progress import Progress  # noqa: PLC0415
-    from repro.provenance import provenance  # noqa: PLC0415
-    from repro.session import run_missing  # noqa: PLC0415
+    from repro.commands.progress import Progress  # noqa: PLC0415
+    from repro.determinism.provenance import provenance  # noqa: PLC0415
+    from repro.runs.session import run_missing  # noqa: PLC0415
+    from repro.runs.workers import dask_cluster as cluster  # noqa: PLC0415 (slow imports late)
+    from repro.runs.workers.local import checked_workers, local  # noqa: PLC0415
 
     run = partial(run_missing, store, tasks, environment=provenance, report=Progress())
     if options.dask:
@@ -141,9 +141,9 @@ def _warn(line: str) -> None:
 
 
 def _report(options: argparse.Namespace) -> int:
-    from repro.plan import plan  # noqa: PLC0415 (slow imports late)
     from repro.report.pages import write_report  # noqa: PLC0415
-    from repro.store import Store  # noqa: PLC0415
+    from repro.runs.plan import plan  # noqa: PLC0415 (slow imports late)
+    from repro.runs.store.store import Store  # noqa: PLC0415
 
     chosen = _chosen(options.keys)
     tasks = plan(chosen, options.repeats, options.master_seed, protocol_only=options.protocol_only)
@@ -156,10 +156,10 @@ def _report(options: argparse.Namespace) -> int:
 
 
 def _verify(options: argparse.Namespace) -> int:
-    from repro.plan import plan  # noqa: PLC0415 (slow imports late)
-    from repro.provenance import provenance  # noqa: PLC0415
-    from repro.store import Store  # noqa: PLC0415
-    from repro.verify import Outcome, verify  # noqa: PLC0415
+    from repro.determinism.provenance import provenance  # noqa: PLC0415
+    from repro.runs.plan import plan  # noqa: PLC0415 (slow imports late)
+    from repro.runs.store.store import Store  # noqa: PLC0415
+    from repro.runs.verify import Outcome, verify  # noqa: PLC0415
 
     folder = options.folder or options.store
     with Store(folder, writing=False) as store:
@@ -184,8 +184,8 @@ def _verify(options: argparse.Namespace) -> int:
 
 
 def _again(options: argparse.Namespace) -> int:
-    from repro.again import run_again  # noqa: PLC0415 (slow imports late)
-    from repro.executors import checked_workers, local  # noqa: PLC0415
+    from repro.commands.again import run_again  # noqa: PLC0415 (slow imports late)
+    from repro.runs.workers.local import checked_workers, local  # noqa: PLC0415
 
     (paper,) = _chosen([options.key])
     workers = checked_workers(options.workers)
@@ -202,7 +202,7 @@ def _again(options: argparse.Namespace) -> int:
 
 
 def _list(options: argparse.Namespace) -> int:
-    from repro.listing import listing, listing_text  # noqa: PLC0415 (slow imports late)
+    from repro.commands.listing import listing, listing_text  # noqa: PLC0415 (slow imports late)
 
     rows = listing(_chosen(options.keys), options.repeats, options.store)
     sys.stdout.write(json.dumps(rows, indent=2) + "\n" if options.json else listing_text(rows))
@@ -222,7 +222,7 @@ def _audit(options: argparse.Namespace) -> int:
 
 
 def _certify(options: argparse.Namespace) -> int:
-    from repro.certify import certify  # noqa: PLC0415 (slow imports late)
+    from repro.judge.certificates import certify  # noqa: PLC0415 (slow imports late)
 
     rows = [row for paper in _chosen(options.keys) for row in certify(paper)]
     lines = [
@@ -235,7 +235,7 @@ def _certify(options: argparse.Namespace) -> int:
 
 
 def _references(options: argparse.Namespace) -> int:
-    from repro.references import outside_references  # noqa: PLC0415 (slow imports late)
+    from repro.judge.outside_planners import outside_references  # noqa: PLC0415 (slow imports late)
 
     rows = outside_references(_chosen(options.keys))
     lines = [
@@ -256,7 +256,7 @@ def _say(rows: Sequence[Any], lines: Sequence[str], *, as_json: bool) -> int:
 
 
 def _flips(options: argparse.Namespace) -> int:
-    from repro.flips import compare  # noqa: PLC0415 (slow imports late)
+    from repro.judge.two_results import compare  # noqa: PLC0415 (slow imports late)
     from repro.report.results import read_results  # noqa: PLC0415
 
     both = []

@@ -7,22 +7,23 @@ from typing import Any
 
 import numpy as np
 
-from repro.claims import Sentence
-from repro.cluster import cluster
 from repro.errors import StoreError
-from repro.executors import checked_workers
 from repro.functions import FUNCTIONS
-from repro.model import Gap, Reading
+from repro.model.claims import Sentence
+from repro.model.open_points import Gap
+from repro.model.paper import MotionReading
+from repro.model.tolerances import Percent
 from repro.optimisers import DBO, DE, GA, GSA, GWO, PSO, WOA, HybridWOA, SteadyStateGA
-from repro.plan import plan
-from repro.published import Printed, PublishedTable
-from repro.relations import TableCell
 from repro.robotics.path_fitting import PathFitting
 from repro.robotics.polynomials import quintic
 from repro.robotics.rest_to_rest import MinimumTime
+from repro.runs.plan import plan
+from repro.runs.verify import verify
+from repro.runs.workers.dask_cluster import cluster
+from repro.runs.workers.local import checked_workers
 from repro.statistics.summary import standard_deviation
-from repro.verdict import Percent
-from repro.verify import verify
+from repro.tables.published import Printed, PublishedTable
+from repro.tables.relations import TableCell
 from tests.small_papers import CLAIMS, EXPERIMENT, PAPER, TABLE, Bowl, evidence
 from tests.small_stores import TASKS, change, filled
 
@@ -143,7 +144,9 @@ DECLARATIONS: dict[str, tuple[Callable[[], object], str]] = {
     "cell claimed twice": (lambda: paper(claims=(*CLAIMS, CLAIMS[0])), "has 2 claims"),
     "runs of nothing": (lambda: paper(experiments=()), "no runs search/bowl/guess; experiments:"),
     "reading of nothing": (
-        lambda: paper(readings=(Reading(name="r", of=("no", "where"), problem=Bowl()),)),
+        lambda: paper(
+            motion_readings=(MotionReading(name="r", of=("no", "where"), problem=Bowl()),)
+        ),
         "no problem no/where; problems: search/bowl",
     ),
     "claim without measure or gap": (

@@ -1,14 +1,16 @@
 """Doe & Roe (2021): an invented paper of a few runs, for the tests of pages and of joining."""
 
-from repro.claims import Sentence, every_cell, lowest_everywhere
-from repro.figures import Convergence, Motion
 from repro.functions import FUNCTIONS
-from repro.measures import Statistic
-from repro.model import Alternative, Assumption, Erratum, Experiment, Gap, Paper, Source
+from repro.model.claims import Sentence, every_cell, lowest_everywhere
+from repro.model.experiment import Experiment
+from repro.model.figures import Convergence, Motion
+from repro.model.measures.measure import Statistic
+from repro.model.open_points import Erratum, Gap
+from repro.model.paper import Alternative, Assumption, Paper, Source
+from repro.model.tolerances import Absolute, Percent
 from repro.optimisers import PSO, WOA
-from repro.published import Printed, PublishedTable
 from repro.robotics import MinimumTime, quintic
-from repro.verdict import Absolute, Percent
+from repro.tables.published import Printed, PublishedTable
 
 WAYPOINTS = PublishedTable.read("""
     Table 1, p. 3

@@ -6,7 +6,9 @@ from pathlib import Path
 
 import atheris
 
-with atheris.instrument_imports(include=["repro.published", "repro.store", "repro.rows"]):
+with atheris.instrument_imports(
+    include=["repro.tables.published", "repro.runs.store.store", "repro.runs.store.row"]
+):
     from tests.hostile import STRINGS, TARGETS
 
 

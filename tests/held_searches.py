@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import ClassVar, Unpack
 
 from repro.functions import FUNCTIONS
-from repro.model import Paper
+from repro.model.paper import Paper
 from repro.optimisers.search import Budget, Optimiser, Problem, Result, Spending
-from repro.plan import Task, plan
+from repro.runs.plan import Task, plan
 from tests.small_papers import Guessing, searching
 
 

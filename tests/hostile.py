@@ -11,15 +11,16 @@ from functools import cache
 from html.parser import HTMLParser
 from pathlib import Path
 
-from repro.claims import Sentence, every_cell
 from repro.errors import DeclarationError
-from repro.model import Alternative, Assumption, Erratum, Gap, Paper, Source
-from repro.plan import plan
-from repro.published import NOTHING, Printed, PublishedTable
+from repro.model.claims import Sentence, every_cell
+from repro.model.open_points import Erratum, Gap
+from repro.model.paper import Alternative, Assumption, Paper, Source
+from repro.model.tolerances import Percent
 from repro.report.pages import write_report
-from repro.run import execute
-from repro.store import Store
-from repro.verdict import Percent
+from repro.runs.plan import plan
+from repro.runs.run import execute
+from repro.runs.store.store import Store
+from repro.tables.published import NOTHING, Printed, PublishedTable
 from tests.damages import tried
 from tests.small_papers import EXPERIMENT, PAPER, Bowl, Guessing
 from tests.small_stores import INTACT, filled

@@ -3,11 +3,11 @@
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from repro.model import Paper
-from repro.plan import plan
+from repro.model.paper import Paper
 from repro.report.pages import write_report
-from repro.session import run_missing
-from repro.store import Store
+from repro.runs.plan import plan
+from repro.runs.session import run_missing
+from repro.runs.store.store import Store
 from tests.doe2021 import PAPER
 
 ENVIRONMENT: dict[str, object] = {"date": "2021-02-03", "packages": {"numpy": "2"}, "cores": 2}

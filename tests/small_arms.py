@@ -3,8 +3,8 @@
 import math
 from dataclasses import replace
 
-from repro.figures import Arm, ArmMotion
-from repro.model import Assumption, Paper
+from repro.model.figures import Arm, ArmMotion
+from repro.model.paper import Assumption, Paper
 from repro.robotics import MinimumTime, quintic
 from tests.doe2021 import PAPER
 

@@ -6,13 +6,14 @@ from typing import Any, Unpack
 import numpy as np
 from numpy.typing import NDArray
 
-from repro.claims import every_cell
-from repro.compiled import jit
-from repro.evidence import Evidence, Runs
-from repro.model import Experiment, Paper, Source
+from repro.determinism.compiled import jit
+from repro.model.claims import every_cell
+from repro.model.evidence import Evidence, Runs
+from repro.model.experiment import Experiment
+from repro.model.paper import Paper, Source
+from repro.model.tolerances import Percent
 from repro.optimisers.search import Budget, Optimiser, Problem, Result
-from repro.published import PublishedTable
-from repro.verdict import Percent
+from repro.tables.published import PublishedTable
 
 Vector = NDArray[np.float64]
 

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from repro.compiled import COST, jit, ready
+from repro.determinism.compiled import COST, jit, ready
 from repro.functions import FUNCTIONS
 
 Vector = NDArray[np.float64]

@@ -7,10 +7,10 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from repro.plan import plan
-from repro.run import Record, execute
-from repro.session import mended, run_missing
-from repro.store import Store
+from repro.runs.plan import plan
+from repro.runs.run import Record, execute
+from repro.runs.session import mended, run_missing
+from repro.runs.store.store import Store
 from tests.small_papers import PAPER
 
 TASKS = plan([PAPER], 1)

@@ -10,16 +10,17 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from repro.audit import AuditRow, Grade, audit
-from repro.audit.blocks import CEILINGS
-from repro.claims import CellClaim, Sentence
 from repro.functions import FUNCTIONS
-from repro.measures import Statistic
-from repro.model import Experiment, Paper, Source
+from repro.model.claims import CellClaim, Sentence
+from repro.model.experiment import Experiment
+from repro.model.measures.measure import Statistic
+from repro.model.paper import Paper, Source
+from repro.model.tolerances import Percent
 from repro.optimisers import WOA
-from repro.published import PublishedTable
-from repro.relations import Relation
 from repro.statistics.summary import standard_deviation
-from repro.verdict import Percent
+from repro.tables.blocks import CEILINGS
+from repro.tables.published import PublishedTable
+from repro.tables.relations import Relation
 
 Vector = NDArray[np.float64]
 Blocks = Mapping[str, Mapping[str, str]]  # algorithm → statistic → text

@@ -5,9 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from repro.again import Again, RunFailedError, named_claim, run_again
+from repro.commands.again import Again, RunFailedError, named_claim, run_again
 from repro.errors import InputError
-from repro.model import Paper
+from repro.model.paper import Paper
 from tests.doe2021 import PAPER, TEST
 from tests.made_up import pages_of
 from tests.small_papers import Failing

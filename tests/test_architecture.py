@@ -28,13 +28,13 @@ VAGUE = {"utils", "util", "core", "helpers", "helper", "misc", "common", "base",
 COVERED_ELSEWHERE = {
     "repro/__main__.py": "test_command_line.py",
     "repro/errors.py": "test_command_line.py",
-    "repro/compiled.py": "test_optimisers.py",
-    "repro/figures.py": "test_drawing.py",
-    "repro/report/convergence.py": "test_drawing.py",
-    "repro/report/motion.py": "test_drawing.py",
-    "repro/report/style.py": "test_drawing_parts.py",
-    "repro/report/svg.py": "test_drawing.py",
-    "repro/report/tool_path.py": "test_drawing.py",
+    "repro/determinism/compiled.py": "test_optimisers.py",
+    "repro/model/figures.py": "test_drawing.py",
+    "repro/report/drawings/convergence.py": "test_drawing.py",
+    "repro/report/drawings/motion.py": "test_drawing.py",
+    "repro/report/drawings/style.py": "test_drawing_parts.py",
+    "repro/report/drawings/svg.py": "test_drawing.py",
+    "repro/report/drawings/tool_path.py": "test_drawing.py",
 }
 
 
@@ -62,7 +62,7 @@ def test_engine_and_papers_are_found() -> None:
     assert COMMAND_LINE in ENGINE
     assert Path("papers/liang2026/__init__.py") in PAPERS
     assert all(any(name in str(source) for source in ENGINE if pure(source)) for name in PURE)
-    assert not pure(Path("repro/store.py"))
+    assert not pure(Path("repro/runs/store/store.py"))
 
 
 def test_engine_knows_no_paper_but_for_the_command_line() -> None:

@@ -3,7 +3,7 @@ from collections.abc import Callable
 
 import pytest
 
-from repro.arguments import DEFAULT_REPEATS, parser
+from repro.commands.arguments import DEFAULT_REPEATS, parser
 
 NAMES = (
     *("reproduce", "report", "list", "compare", "again", "audit", "certify", "references"),

@@ -10,10 +10,10 @@ from papers.mousa2023 import PAPER as MOUSA
 from papers.smwoa2022 import PAPER as SMWOA
 from papers.syji import PAPER as SYJI
 from repro.errors import DeclarationError
-from repro.evidence import Evidence
-from repro.figures import Arm
-from repro.model import Paper
-from repro.report.drawing import Drawing, draw
+from repro.model.evidence import Evidence
+from repro.model.figures import Arm
+from repro.model.paper import Paper
+from repro.report.drawings.draw import Drawing, draw
 from tests.small_arms import ARM, SHOWING_AN_ARM
 
 PAPERS = (LIANG, MOUSA, SMWOA, SYJI)

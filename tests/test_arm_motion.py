@@ -8,11 +8,11 @@ from papers.mousa2023.protocol import ARM_QUINTIC, QUINTIC
 from papers.mousa2023.robot import axis_angles
 from papers.smwoa2022.experiments import UR5
 from papers.smwoa2022.robot import DH as UR5_LINKS
-from repro.certify_spline import prove
-from repro.figures import Arm, ArmMotion
-from repro.report.arm_motion import SAMPLES, moving, waypoints
+from repro.model.figures import Arm, ArmMotion
+from repro.report.drawings.arm_motion import SAMPLES, moving, waypoints
 from repro.robotics import forward_kinematics
 from repro.robotics.polynomial_curves import values
+from repro.robotics.proofs.spline_minimum import prove
 from tests.small_arms import ARM, SWING
 
 

@@ -5,10 +5,10 @@ from pathlib import Path
 
 import pytest
 
-from repro.plan import plan
-from repro.report.arm_viewer import viewer
+from repro.report.drawings.arm_viewer import viewer
 from repro.report.pages import write_report
-from repro.store import Store
+from repro.runs.plan import plan
+from repro.runs.store.store import Store
 from tests.doe2021 import PAPER
 from tests.small_arms import SHOWING_AN_ARM
 

@@ -9,13 +9,13 @@ from hypothesis import strategies as st
 from papers.liang2026 import PAPER
 from papers.liang2026.printed import TABLE_II
 from repro.audit import AuditRow, Grade, audit
-from repro.audit.extremes import narrowest, widest
-from repro.audit.spans import Span, span
-from repro.certify import certify
 from repro.functions import FUNCTIONS
+from repro.judge.certificates import certify
 from repro.optimisers import GWO, WOA
 from repro.optimisers.search import Optimiser
-from repro.published import Printed
+from repro.tables.extremes import narrowest, widest
+from repro.tables.published import Printed
+from repro.tables.true_numbers import Span, span
 from tests import doe2021
 from tests.summaries import audited, fixed, paper_of, printed_tables, samples, scientific, summary
 

@@ -9,12 +9,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from repro.baselines import BASELINES, CMAES, ScipySLSQP
-from repro.baselines.budget import WORST, BudgetSpent, CountedCost, release, until_spent
-from repro.compiled import jit
+from repro.determinism.compiled import jit
 from repro.errors import InputError
 from repro.functions import FUNCTIONS
 from repro.optimisers import Problem, Result
+from repro.optimisers.libraries import BASELINES, CMAES, ScipySLSQP
+from repro.optimisers.libraries.budget import WORST, BudgetSpent, CountedCost, release, until_spent
 from tests.small_problems import KERNELS, OFF_CENTRE, Small, small
 
 Vector = NDArray[np.float64]
@@ -260,7 +260,7 @@ def test_warnings_are_as_they_were_after_a_search() -> None:
 
 def test_baselines_load_no_library_before_they_run() -> None:
     code = (
-        "import sys, repro.baselines; "
+        "import sys, repro.optimisers.libraries; "
         "print([m for m in ('scipy.optimize', 'cmaes', 'threadpoolctl') if m in sys.modules])"
     )
 

@@ -2,10 +2,10 @@ from dataclasses import replace
 
 import pytest
 
-from repro.evidence import Cell, Runs
-from repro.report.baselines_view import baselines_view, standings_view
+from repro.judge.beside_baselines import ProblemStandings, standings
+from repro.model.evidence import Cell, Runs
 from repro.report.pages import render
-from repro.standings import ProblemStandings, standings
+from repro.report.views.baselines import baselines_view, standings_view
 from tests.small_papers import PAPER
 from tests.test_standings import EQUAL, EXPERIMENT, every_run, runs
 

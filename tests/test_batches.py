@@ -6,9 +6,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from repro.batches import MOST, Batches
-from repro.plan import Task, plan
-from repro.run import Record
+from repro.runs.plan import Task, plan
+from repro.runs.run import Record
+from repro.runs.workers.batches import MOST, Batches
 from tests.small_papers import EXPERIMENT, PAPER
 
 RUNS = 300

@@ -1,9 +1,9 @@
 import re
 from xml.etree import ElementTree as ET
 
-from repro.centre_bias import FLAG, Bias
-from repro.report.bias_drawing import bias_plot
-from repro.report.drawing import Drawing, drawing
+from repro.judge.centre_bias import FLAG, Bias
+from repro.report.drawings.centre_bias import bias_plot
+from repro.report.drawings.draw import Drawing, drawing
 
 SVG = "{http://www.w3.org/2000/svg}"
 NAMES = ("WOA", "random search (floor)")

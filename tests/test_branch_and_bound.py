@@ -8,8 +8,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from repro import branch_and_bound
-from repro.branch_and_bound import (
+from repro.robotics import MinimumTimeSpline
+from repro.robotics.proofs import branch_and_bound
+from repro.robotics.proofs.branch_and_bound import (
     BOXES,
     NEAR,
     Bound,
@@ -19,9 +20,8 @@ from repro.branch_and_bound import (
     tightened,
     weighed,
 )
-from repro.robotics import MinimumTimeSpline
-from repro.spline_pool import Limits
-from repro.spline_rows import Bend, Box, exact
+from repro.robotics.proofs.limit_pool import Limits
+from repro.robotics.proofs.limit_rows import Bend, Box, exact
 from tests.test_spline_motion import BACKWARDS, PROBLEM
 
 Vector = NDArray[np.float64]

@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from repro.audit.blocks import CEILINGS, blocks
 from repro.functions import FUNCTIONS
+from repro.tables.blocks import CEILINGS, blocks
 from tests.summaries import audited, most, paper_of, scientific, summary
 
 

@@ -4,7 +4,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from repro.centre_bias import SOLVED, Bias, Costs, biases, shifts_of, standings
+from repro.judge.centre_bias import SOLVED, Bias, Costs, biases, shifts_of, standings
 
 Vector = NDArray[np.float64]
 MINIMA = {"F1": 0.0, "F2": -3.0}

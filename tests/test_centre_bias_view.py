@@ -3,11 +3,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from repro.evidence import Evidence, Runs
 from repro.functions import FUNCTIONS
-from repro.report.centre_bias_view import CentreBias, centre_biases, shift_costs
-from repro.shifts import CONTROL, FLOOR, IN_PLACE, SHARES, shift_name
-from repro.studies import study_name
+from repro.model.evidence import Evidence, Runs
+from repro.report.views.centre_bias import CentreBias, centre_biases, shift_costs
+from repro.runs.moved_optima import CONTROL, FLOOR, IN_PLACE, SHARES, shift_name
+from repro.runs.studies import study_name
 from tests.doe2021 import PAPER, TEST
 
 EXPERIMENT = replace(TEST, problems={**TEST.problems, "F2": FUNCTIONS["branin"].problem()})

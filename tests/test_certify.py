@@ -7,14 +7,14 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from repro.certify import Certificate, certify
-from repro.claims import every_cell
-from repro.compiled import COST, ready
-from repro.model import Paper
+from repro.determinism.compiled import COST, ready
+from repro.judge.certificates import Certificate, certify
+from repro.model.claims import every_cell
+from repro.model.paper import Paper
+from repro.model.tolerances import Percent
 from repro.optimisers import WOA
-from repro.published import PublishedTable
 from repro.robotics import MinimumTime, cubic, quintic
-from repro.verdict import Percent
+from repro.tables.published import PublishedTable
 from tests.small_papers import EXPERIMENT, PAPER
 from tests.test_rest_to_rest import TWO, problems
 

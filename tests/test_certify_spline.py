@@ -5,13 +5,13 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from repro.certify_spline import _obeys, prove
 from repro.errors import NotProvedError
 from repro.optimisers import DE, SMA, WOA, Optimiser
 from repro.robotics import MinimumTimeSpline
 from repro.robotics.bsplines import Ends
+from repro.robotics.proofs.limit_rows import Cut, exact
+from repro.robotics.proofs.spline_minimum import _obeys, prove
 from repro.robotics.spline_motion import motion
-from repro.spline_rows import Cut, exact
 from tests.test_spline_motion import PROBLEM
 
 Vector = NDArray[np.float64]

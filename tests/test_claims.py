@@ -1,11 +1,11 @@
 import pytest
 
-from repro.claims import CellClaim, Sentence, computed_cells, every_cell, lowest_everywhere
 from repro.errors import DeclarationError
-from repro.measures import Computed, Statistic
-from repro.model import Gap
-from repro.published import Printed, PublishedTable
-from repro.verdict import Absolute, Between, Percent
+from repro.model.claims import CellClaim, Sentence, computed_cells, every_cell, lowest_everywhere
+from repro.model.measures.measure import Computed, Statistic
+from repro.model.open_points import Gap
+from repro.model.tolerances import Absolute, Between, Percent
+from repro.tables.published import Printed, PublishedTable
 from tests.small_papers import CLAIMS, EXPERIMENT, PAPER, TABLE
 
 MIXED = PublishedTable.read("""

@@ -6,10 +6,10 @@ from typing import Any, ClassVar
 
 import pytest
 
-from repro.cluster import cluster, run_packed
+from repro.determinism.provenance import provenance
 from repro.errors import ClusterLostError, InputError
-from repro.provenance import provenance
-from repro.run import execute, execute_all
+from repro.runs.run import execute, execute_all
+from repro.runs.workers.dask_cluster import cluster, run_packed
 from tests.held_searches import tasks_of
 from tests.small_papers import Guessing
 from tests.test_run import same
@@ -71,7 +71,7 @@ def test_cluster_counts_its_threads_anew_now_and_then(monkeypatch: pytest.Monkey
         assert threads() == 5
         monkeypatch.setattr(Client, "nthreads", lambda _: {})
         assert threads() == 5
-        monkeypatch.setattr("repro.cluster.COUNT_SECONDS", 0.0)
+        monkeypatch.setattr("repro.runs.workers.dask_cluster.COUNT_SECONDS", 0.0)
         assert threads() == 1
 
 
@@ -99,7 +99,8 @@ def test_worker_with_another_engine_is_refused(
     monkeypatch: pytest.MonkeyPatch, part: str, there: object, fault: str
 ) -> None:
     monkeypatch.setattr(
-        "repro.cluster.run_packed", lambda payload: {**run_packed(payload), part: there}
+        "repro.runs.workers.dask_cluster.run_packed",
+        lambda payload: {**run_packed(payload), part: there},
     )
 
     with cluster("tcp://here:1") as (executor, _):
@@ -116,7 +117,7 @@ def test_worker_without_the_package_is_refused(monkeypatch: pytest.MonkeyPatch) 
         message = "No module named 'repro'"
         raise ModuleNotFoundError(message)
 
-    monkeypatch.setattr("repro.cluster.run_packed", lacking)
+    monkeypatch.setattr("repro.runs.workers.dask_cluster.run_packed", lacking)
 
     with cluster("tcp://here:1") as (executor, _):
         error = executor.submit(execute_all, TASKS).exception()

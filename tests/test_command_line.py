@@ -8,9 +8,9 @@ from typing import Any
 import pytest
 
 from repro.__main__ import all_papers, main
-from repro.model import Paper
-from repro.schema import SCHEMA
-from repro.store import Store
+from repro.model.paper import Paper
+from repro.runs.store.file import SCHEMA
+from repro.runs.store.store import Store
 from tests.small_papers import PAPER, Failing, Guessing, searching
 
 KEYS = tuple(all_papers())

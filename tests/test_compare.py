@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from repro import sources
 from repro.__main__ import main
+from repro.determinism import source_digests as sources
 from tests.small_papers import PAPER
 
 MODULE = """

@@ -2,10 +2,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from repro.evidence import Runs
-from repro.model import Paper
-from repro.report.compare_view import comparison, printed_means
+from repro.model.evidence import Runs
+from repro.model.paper import Paper
 from repro.report.pages import render
+from repro.report.views.users_search import comparison, printed_means
 from tests.small_papers import EXPERIMENT, PAPER
 
 

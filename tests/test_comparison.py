@@ -4,12 +4,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from papers.smwoa2022 import PAPER as SMWOA
-from repro.evidence import Evidence, Runs
-from repro.findings import judge_paper
 from repro.functions import FUNCTIONS
-from repro.model import Paper
+from repro.judge.findings import judge_paper
+from repro.model.evidence import Evidence, Runs
+from repro.model.paper import Paper
 from repro.optimisers import DE
-from repro.report.comparison import Comparison, comparisons
+from repro.report.views.algorithms import Comparison, comparisons
 from repro.statistics.friedman import friedman
 from tests.doe2021 import PAPER, TEST
 

@@ -10,16 +10,16 @@ import numpy as np
 import pytest
 
 from repro import optimisers
-from repro.compiled import jit
-from repro.conduct import Given
-from repro.dispatch import run_all
+from repro.determinism.compiled import jit
 from repro.functions import FUNCTIONS
 from repro.functions.shifted import ShiftedProblem
 from repro.optimisers import DBO, DE, GA, GSA, WOA, SteadyStateGA
 from repro.optimisers.gravitational import _masses
 from repro.optimisers.search import Budget, Problem, Result, Spending
-from repro.plan import plan
-from repro.run import Record, execute
+from repro.runs.plan import plan
+from repro.runs.rules import Given
+from repro.runs.run import Record, execute
+from repro.runs.workers.dispatch import run_all
 from tests.small_papers import EXPERIMENT, PAPER, Bowl, Guessing, Vector, searching
 from tests.small_problems import small
 from tests.test_run import same

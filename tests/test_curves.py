@@ -4,10 +4,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from repro.curves import Effort, Place, Sensitivity, Together, planned
-from repro.evidence import Evidence, Runs
-from repro.measures import Computed
-from repro.model import Experiment, Paper, Source
+from repro.model.evidence import Evidence, Runs
+from repro.model.experiment import Experiment
+from repro.model.measures.curves import Effort, PlaceAmong, Sensitivity, Together, planned
+from repro.model.measures.measure import Computed
+from repro.model.paper import Paper, Source
 from repro.optimisers import GA, WOA
 from repro.robotics import PathFitting, quintic
 
@@ -120,7 +121,7 @@ def value(number: float) -> Computed:
     ("own", "place"), [(0.5, 1), (1.0, 1), (1.5, 2), (2.0, 2), (9.0, 3), (math.inf, 3)]
 )
 def test_place_is_one_more_than_the_number_of_lower_measures(own: float, place: int) -> None:
-    measure = Place(of=value(own), others=(value(1.0), value(2.0)))
+    measure = PlaceAmong(of=value(own), others=(value(1.0), value(2.0)))
 
     found = measure.measure(Evidence(PAPER, {}))
 
@@ -130,7 +131,7 @@ def test_place_is_one_more_than_the_number_of_lower_measures(own: float, place: 
 
 
 def test_place_of_runs_varies_with_their_tables() -> None:
-    measure = Place(of=together(), others=(value(1.5),))
+    measure = PlaceAmong(of=together(), others=(value(1.5),))
 
     found = measure.measure(finals((1, 9, 1), (0, 0, 0)))
 
@@ -142,7 +143,7 @@ def test_place_of_runs_varies_with_their_tables() -> None:
 def test_place_rests_on_the_fewest_repeats_of_any_measure() -> None:
     few, many = replace(together(), problems=("left",)), replace(together(), problems=("right",))
 
-    found = Place(of=many, others=(few, value(1.0))).measure(uneven(1, 3))
+    found = PlaceAmong(of=many, others=(few, value(1.0))).measure(uneven(1, 3))
 
     assert found.repeats == 1
 
@@ -267,5 +268,5 @@ def test_planned_quantity_is_that_of_the_desired_paths() -> None:
 
 def test_words_name_what_is_measured() -> None:
     assert "median norm of cost over 2 problems of arm, WOA" in together().words
-    assert "place of 1.0 among 2.0" in Place(of=value(1.0), others=(value(2.0),)).words
+    assert "place of 1.0 among 2.0" in PlaceAmong(of=value(1.0), others=(value(2.0),)).words
     assert "evaluations of GA" in effort("GA").words

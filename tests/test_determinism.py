@@ -11,9 +11,9 @@ from pathlib import Path
 import pytest
 
 from repro.__main__ import all_papers
-from repro.dispatch import run_all
 from repro.functions import FUNCTIONS
-from repro.model import Experiment, Paper
+from repro.model.experiment import Experiment
+from repro.model.paper import Paper
 from repro.optimisers import (
     DBO,
     DE,
@@ -27,12 +27,13 @@ from repro.optimisers import (
     SlimeWOA,
     SteadyStateGA,
 )
-from repro.plan import Task, plan
-from repro.run import Record, execute
-from repro.session import run_missing
-from repro.shifts import centred, shifted
-from repro.store import Store
-from repro.studies import studies
+from repro.runs.moved_optima import centred, shifted
+from repro.runs.plan import Task, plan
+from repro.runs.run import Record, execute
+from repro.runs.session import run_missing
+from repro.runs.store.store import Store
+from repro.runs.studies import studies
+from repro.runs.workers.dispatch import run_all
 from tests.damages import LONG
 from tests.small_papers import EXPERIMENT, PAPER
 from tests.small_stores import timeless
@@ -72,7 +73,7 @@ def tasks_of(key: str) -> tuple[Task, ...]:
     if LONG:  # other readings of the paper too
         experiments += [study.experiment for study in studies(paper, 10)]
     bare = replace(
-        paper, experiments=tuple(map(small, experiments)), results=(), claims=(), readings=(),
+        paper, experiments=tuple(map(small, experiments)), results=(), claims=(), motion_readings=(),
         assumptions=(), relations=(), figures=(), together=(),
     )  # fmt: skip
     return plan([bare], 1)

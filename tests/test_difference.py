@@ -1,6 +1,6 @@
 import pytest
 
-from repro.measures import Computed, Difference, Statistic
+from repro.model.measures.measure import Computed, Difference, Statistic
 from tests.small_papers import evidence
 
 BEFORE = Computed(how="time as set", value=lambda: 5.0)

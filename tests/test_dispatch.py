@@ -11,13 +11,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from repro import dispatch
-from repro.dispatch import run_all
 from repro.errors import InputError
 from repro.optimisers import WOA
 from repro.optimisers.search import Budget, Problem, Result
-from repro.plan import Task, plan
-from repro.run import Record, execute
+from repro.runs.plan import Task, plan
+from repro.runs.run import Record, execute
+from repro.runs.workers import dispatch
+from repro.runs.workers.dispatch import run_all
 from tests.small_papers import EXPERIMENT, PAPER, Failing, Guessing, searching
 
 TASKS = plan([replace(PAPER, experiments=(replace(EXPERIMENT, runs=50),))], 1)
@@ -196,7 +196,7 @@ def test_interrupt_while_waiting_keeps_every_finished_run(monkeypatch: pytest.Mo
             stop()
             return super().get(*args, **named)
 
-    monkeypatch.setattr("repro.dispatch.SimpleQueue", Stopping)
+    monkeypatch.setattr("repro.runs.workers.dispatch.SimpleQueue", Stopping)
 
     records, made = interrupted(ThreadPoolExecutor(2))
 

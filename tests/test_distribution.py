@@ -6,10 +6,10 @@ import pytest
 
 from papers.liang2026 import PAPER as LIANG
 from papers.smwoa2022 import PAPER as SMWOA
-from repro.evidence import Evidence, Runs
-from repro.model import Paper
-from repro.report.distribution import PANELS, distributions
-from repro.report.drawing import Drawing
+from repro.model.evidence import Evidence, Runs
+from repro.model.paper import Paper
+from repro.report.drawings.draw import Drawing
+from repro.report.views.distribution import PANELS, distributions
 
 SVG = "{http://www.w3.org/2000/svg}"
 MOST_BYTES = 60_000

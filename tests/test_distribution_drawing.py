@@ -3,8 +3,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from repro.report.distribution_drawing import Panel, Strip, distribution_plot
-from repro.report.drawing import Drawing, drawing
+from repro.report.drawings.distribution import Panel, Strip, distribution_plot
+from repro.report.drawings.draw import Drawing, drawing
 
 
 def strip(name: str, values: list[float], **printed: float) -> Strip:

@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 
 from papers.liang2026 import FANUC, PAPER
+from repro.determinism.seeds import generator
 from repro.errors import InputError
-from repro.evidence import Cell, Evidence, Runs
-from repro.figures import Convergence, Figure
-from repro.model import Experiment
-from repro.report.drawing import Drawing, draw
+from repro.model.evidence import Cell, Evidence, Runs
+from repro.model.experiment import Experiment
+from repro.model.figures import Convergence, Figure
+from repro.report.drawings.draw import Drawing, draw
 from repro.report.words import number
-from repro.seeds import generator
 
 SVG = "{http://www.w3.org/2000/svg}"
 CONVERGENCE, TOOL_PATH, SET_MOTION, MOTION, _ARM = PAPER.figures

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from papers.liang2026 import FANUC, PAPER
-from repro.evidence import Evidence
-from repro.figures import Motion, ToolPath
-from repro.report.convergence import CostScale
-from repro.report.drawing import Drawing, draw
-from repro.report.style import COLOURS, line_style
+from repro.model.evidence import Evidence
+from repro.model.figures import Motion, ToolPath
+from repro.report.drawings.convergence import CostScale
+from repro.report.drawings.draw import Drawing, draw
+from repro.report.drawings.style import COLOURS, line_style
 from repro.robotics import MinimumTime, quintic
 
 NO_RUNS = Evidence(PAPER, {})

@@ -8,8 +8,8 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from repro.compiled import jit
-from repro.draws import (
+from repro.determinism.compiled import jit
+from repro.determinism.draws import (
     below,
     drawn,
     drawn_below,

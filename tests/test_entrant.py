@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from repro.entrant import Entrant, entrant, load
 from repro.errors import InputError
 from repro.optimisers import Result
+from repro.optimisers.users_search import Entrant, entrant, load
 from tests.small_problems import Small, small
 
 MODULE = """

@@ -3,9 +3,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from repro.equal_budget import at_equal_evaluations, budget, declared_evaluations, unequal
-from repro.model import Experiment
+from repro.model.experiment import Experiment
 from repro.optimisers import DBO, DE, GA, WOA, HybridWOA, Optimiser, SteadyStateGA
+from repro.runs.equal_budget import at_equal_evaluations, budget, declared_evaluations, unequal
 from tests.small_problems import small
 from tests.test_optimisers import EVERY
 

@@ -5,7 +5,7 @@ import pytest
 from numpy.typing import NDArray
 
 from repro.errors import DeclarationError
-from repro.evidence import Evidence, Runs
+from repro.model.evidence import Evidence, Runs
 from tests.small_papers import EXPERIMENT, PAPER, Bowl, evidence
 
 Vector = NDArray[np.float64]

@@ -9,13 +9,13 @@ from threading import Thread, active_count, current_thread
 
 import pytest
 
-from repro.dispatch import run_all
 from repro.errors import InputError
-from repro.executors import LocalExecutor, checked_workers, local, usable_cores
 from repro.optimisers import WOA
-from repro.plan import Task, plan
-from repro.processes import TRIES
-from repro.run import Record, execute, execute_all
+from repro.runs.plan import Task, plan
+from repro.runs.run import Record, execute, execute_all
+from repro.runs.workers.dispatch import run_all
+from repro.runs.workers.local import LocalExecutor, checked_workers, local, usable_cores
+from repro.runs.workers.process import TRIES
 from tests.held_searches import Free, Telling, deadly, many, on_rosenbrock, tasks_of
 from tests.small_papers import Guessing
 from tests.test_processes import is_alive

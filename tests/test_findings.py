@@ -4,13 +4,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from repro.claims import Claim, Sentence
-from repro.evidence import Evidence, Runs
-from repro.findings import FLIPS, PROVISIONAL, Finding, judge_paper, judged
-from repro.measures import Computed, Statistic
-from repro.model import Gap, Paper
-from repro.published import Printed, PublishedTable
-from repro.verdict import Absolute, Between, Verdict
+from repro.judge.findings import FLIPS, PROVISIONAL, Finding, judge_paper, judged
+from repro.judge.verdict import Verdict
+from repro.model.claims import Claim, Sentence
+from repro.model.evidence import Evidence, Runs
+from repro.model.measures.measure import Computed, Statistic
+from repro.model.open_points import Gap
+from repro.model.paper import Paper
+from repro.model.tolerances import Absolute, Between
+from repro.tables.published import Printed, PublishedTable
 from tests.small_papers import CLAIMS, PAPER, TABLE, evidence
 
 

@@ -3,9 +3,9 @@ import pytest
 
 from papers.mousa2023 import PAPER
 from papers.mousa2023.protocol import FIT, QUINTIC
-from repro.evidence import Evidence, Runs
-from repro.figures import JointCurves
-from repro.report.drawing import Drawing, draw
+from repro.model.evidence import Evidence, Runs
+from repro.model.figures import JointCurves
+from repro.report.drawings.draw import Drawing, draw
 
 FIGURE = JointCurves(
     label="Fig. 4", caption="Joints", paths=QUINTIC, experiment=FIT.name, algorithms=("WOA", "GA")

@@ -7,10 +7,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from repro.certify import certify
-from repro.compiled import COST, ready
+from repro.determinism.compiled import COST, ready
 from repro.errors import DeclarationError, InputError
-from repro.model import Experiment, Paper, Reading
+from repro.judge.certificates import certify
+from repro.model.experiment import Experiment
+from repro.model.paper import MotionReading, Paper
 from repro.optimisers import WOA
 from repro.robotics import MinimumTime, cubic, septic
 from repro.robotics.fixed_penalties import cheapest
@@ -45,9 +46,11 @@ def cost(problem: MinimumTime, durations: Vector) -> float:
     return float(ready(problem.kernel, COST)(durations, problem.data))
 
 
-def paper(problem: MinimumTime, *readings: Reading) -> Paper:
+def paper(problem: MinimumTime, *readings: MotionReading) -> Paper:
     experiment = replace(SEARCH, problems={"arm": problem})
-    return replace(PAPER, experiments=(experiment,), results=(), claims=(), readings=readings)
+    return replace(
+        PAPER, experiments=(experiment,), results=(), claims=(), motion_readings=readings
+    )
 
 
 def test_readings_of_the_penalties_count_kinds_joints_or_segments() -> None:
@@ -172,7 +175,7 @@ def test_penalties_that_deter_are_certified_like_limits() -> None:
 
 def test_reading_is_certified_beside_the_problem_that_is_run() -> None:
     other = replace(PRICED, law=cubic, handling="feasibility first")
-    reading = Reading(name="cubic", of=("motion", "arm"), problem=other)
+    reading = MotionReading(name="cubic", of=("motion", "arm"), problem=other)
 
     _, certificate = certify(paper(PRICED, reading))
 
@@ -181,7 +184,7 @@ def test_reading_is_certified_beside_the_problem_that_is_run() -> None:
 
 
 def test_reading_of_a_problem_that_is_not_run_is_refused_by_name() -> None:
-    reading = Reading(name="cubic", of=("motion", "leg"), problem=PRICED)
+    reading = MotionReading(name="cubic", of=("motion", "leg"), problem=PRICED)
 
     fault = "reading 'cubic': no problem motion/leg; problems: motion/arm"
     with pytest.raises(DeclarationError, match=fault):

@@ -3,7 +3,7 @@ from typing import Any
 import pytest
 
 from repro.errors import InputError
-from repro.flips import compare
+from repro.judge.two_results import compare
 
 
 def results(*verdicts: tuple[str, str | None]) -> dict[str, Any]:

@@ -10,11 +10,11 @@ from hypothesis import strategies as st
 
 from repro.__main__ import all_papers
 from repro.errors import DeclarationError
-from repro.model import Formula, Paper
-from repro.plan import plan
+from repro.model.paper import Formula, Paper
 from repro.report.formulas import dollars, equation_links, mathml, powers
 from repro.report.pages import write_report
-from repro.store import Store
+from repro.runs.plan import plan
+from repro.runs.store.store import Store
 from tests.doe2021 import PAPER
 
 DRAWN = {

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from repro.__main__ import all_papers, main
-from repro.plan import plan
+from repro.runs.plan import plan
 from tests.verdict_list import committed_results, expected_rows, verdict_rows
 
 pytestmark = pytest.mark.full_size

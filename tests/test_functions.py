@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from repro.compiled import COST, ready
+from repro.determinism.compiled import COST, ready
 from repro.errors import InputError
 from repro.functions import FUNCTIONS, Function
 from tests.twins.functions import FORMULAS

@@ -6,9 +6,9 @@ import pytest
 from papers.liang2026.experiments import MOTION
 from papers.mousa2023.protocol import FIT
 from papers.syji.motions import PRINTED, RESTING
-from repro.certify import Certificate
 from repro.functions import FUNCTIONS
-from repro.known_minimum import known_minimum
+from repro.judge.certificates import Certificate
+from repro.judge.known_minimum import known_minimum
 from repro.optimisers import GWO
 from tests.small_problems import small
 

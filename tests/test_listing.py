@@ -1,9 +1,9 @@
 from pathlib import Path
 
-from repro.listing import listing, listing_text
-from repro.plan import plan
-from repro.run import execute
-from repro.store import Store
+from repro.commands.listing import listing, listing_text
+from repro.runs.plan import plan
+from repro.runs.run import execute
+from repro.runs.store.store import Store
 from tests.small_papers import PAPER
 from tests.small_stores import filled
 

@@ -3,8 +3,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from repro.evidence import Evidence
-from repro.measures import Computed, Difference, Measured, Rank, Reduction, Statistic
+from repro.model.evidence import Evidence
+from repro.model.measures.measure import Computed, Difference, Measured, Rank, Reduction, Statistic
 from tests.small_papers import evidence, searching
 
 COSTS = [[3.0, 1.0, 2.0], [9.0, 8.0, 7.0]]

@@ -2,8 +2,8 @@ from dataclasses import replace
 
 import pytest
 
-from repro.claims import lowest_everywhere
 from repro.errors import DeclarationError
+from repro.model.claims import lowest_everywhere
 from tests.small_papers import CLAIMS, EXPERIMENT, PAPER, Bowl, Guessing
 
 

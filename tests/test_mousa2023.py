@@ -21,12 +21,12 @@ from papers.mousa2023.robot import (
     reach,
 )
 from papers.mousa2023.search_claims import search_claims
-from repro.claims import Sentence
-from repro.evidence import Evidence
-from repro.findings import judge_paper
-from repro.model import Assumption
+from repro.judge.findings import judge_paper
+from repro.judge.verdict import Verdict
+from repro.model.claims import Sentence
+from repro.model.evidence import Evidence
+from repro.model.paper import Assumption
 from repro.robotics import MinimumTime, forward_kinematics, freedoms, quintic
-from repro.verdict import Verdict
 
 # The description of the real arm: roll, pitch, yaw in quarter turns and origin in m of A1 to A6,
 # then of the flange (kuka_robot_descriptions, kr4_r600_macro.xacro).

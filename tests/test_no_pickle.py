@@ -5,14 +5,19 @@ from pathlib import Path
 
 import pytest
 
-from repro.sources import _closure
+from repro.determinism.source_digests import _closure
 from tests.test_architecture import SOURCES, imports, tree
 
 UNSAFE = {"pickle", "cPickle", "_pickle", "marshal", "shelve", "dill", "cloudpickle", "joblib"}
 CALLS = {"eval", "exec", "compile", "__import__"}
 
 
-READERS = ("repro.store", "repro.verify", "repro.report.results", "repro.report.files")
+READERS = (
+    "repro.runs.store.store",
+    "repro.runs.verify",
+    "repro.report.results",
+    "repro.report.files",
+)
 
 
 @pytest.mark.parametrize("reader", READERS)

@@ -3,9 +3,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from repro.certify import certify
-from repro.evidence import Evidence, Runs
-from repro.optimum import CertificateBeatenError, found_times, time_rows
+from repro.judge.certificates import certify
+from repro.judge.times_found import CertificateBeatenError, found_times, time_rows
+from repro.model.evidence import Evidence, Runs
 from tests.doe2021 import ARM, PAPER
 
 (CERTIFICATE,) = certify(PAPER)

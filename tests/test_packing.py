@@ -5,11 +5,11 @@ import numpy as np
 import pytest
 
 from repro.__main__ import all_papers
-from repro.compiled import COST, ready
+from repro.determinism.compiled import COST, ready
 from repro.optimisers import WOA
-from repro.packing import pack, stripped, unpack
-from repro.plan import plan
-from repro.run import Record, execute
+from repro.runs.plan import plan
+from repro.runs.run import Record, execute
+from repro.runs.workers.pickling import pack, stripped, unpack
 from tests.small_papers import Guessing, searching
 from tests.small_problems import small
 

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from repro.plan import plan
 from repro.report.pages import index_files, write_report
-from repro.store import Store
+from repro.runs.plan import plan
+from repro.runs.store.store import Store
 from tests.doe2021 import PAPER
 from tests.made_up import pages_of
 

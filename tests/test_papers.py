@@ -11,11 +11,12 @@ from pathlib import Path
 import pytest
 
 from repro.__main__ import all_papers
-from repro.claims import CellClaim
 from repro.errors import DeclarationError
-from repro.model import Experiment, Paper
-from repro.published import WORDS, Printed, PublishedTable
-from repro.variations import claims_under, variations
+from repro.model.claims import CellClaim
+from repro.model.experiment import Experiment
+from repro.model.paper import Paper
+from repro.runs.readings import claims_under, readings
+from repro.tables.published import WORDS, Printed, PublishedTable
 
 ROOT = Path(__file__).parent.parent
 SECOND_READING = Path(__file__).parent / "second_reading"
@@ -109,9 +110,9 @@ def test_every_choice_has_its_reason_and_its_alternatives(paper: Paper) -> None:
 
 @each_paper
 def test_claims_of_an_alternative_stand_for_claims_of_the_paper(paper: Paper) -> None:
-    for variation in variations(paper):
-        brought = sum(len(alternative.claims) for alternative in variation.alternatives)
-        under = claims_under(paper, variation)
+    for reading in readings(paper):
+        brought = sum(len(alternative.claims) for alternative in reading.alternatives)
+        under = claims_under(paper, reading)
 
         replaced = [new for old, new in zip(paper.claims, under, strict=True) if new is not old]
         assert len(replaced) == brought
@@ -121,7 +122,7 @@ def test_claims_of_an_alternative_stand_for_claims_of_the_paper(paper: Paper) ->
 @each_paper
 def test_alternatives_that_can_be_tried_together_are_named(paper: Paper) -> None:
     assert 2 <= len(paper.together) <= 3
-    assert len(variations(paper)) > len(paper.together)
+    assert len(readings(paper)) > len(paper.together)
 
 
 @each_paper

@@ -6,9 +6,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from papers.mousa2023 import PAPER
-from repro.certify import certify
-from repro.compiled import COST, ready
+from repro.determinism.compiled import COST, ready
 from repro.errors import DeclarationError
+from repro.judge.certificates import certify
 from repro.robotics import PathFitting, RestToRestLaw, cubic, quintic, septic
 from repro.robotics.path_fitting import _orthogonal
 

@@ -9,11 +9,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from repro.__main__ import all_papers
+from repro.determinism.seeds import generator
 from repro.errors import InputError
-from repro.model import Experiment, Paper
-from repro.plan import Task, plan
-from repro.seeds import generator
-from repro.studies import studies
+from repro.model.experiment import Experiment
+from repro.model.paper import Paper
+from repro.runs.plan import Task, plan
+from repro.runs.studies import studies
 from tests.small_papers import EXPERIMENT, PAPER, Bowl, Guessing, searching
 from tests.test_sources import forget
 

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from repro.draws import state_from
+from repro.determinism.draws import state_from
 from repro.optimisers.population import ANEW, CLIP, REFLECT, hold, some_of
 
 BOX = np.array([[-1.0, 2.0], [0.0, 0.0], [5.0, 9.0]])

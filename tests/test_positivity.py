@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from repro.positivity import derivative, difference, positive, product
+from repro.robotics.proofs.positivity import derivative, difference, positive, product
 
 Rationals = list[Fraction]
 RATIONALS = st.lists(st.fractions(-5, 5, max_denominator=20), min_size=1, max_size=6)

@@ -13,9 +13,9 @@ from typing import ClassVar
 
 import pytest
 
-from repro.plan import Task
-from repro.processes import TRIES, StoppedError, WorkerProcess
-from repro.run import Record, execute
+from repro.runs.plan import Task
+from repro.runs.run import Record, execute
+from repro.runs.workers.process import TRIES, StoppedError, WorkerProcess
 from tests.held_searches import Telling, deadly, tasks_of
 from tests.small_papers import Failing, Guessing
 from tests.test_run import same
@@ -148,7 +148,7 @@ def test_closed_worker_leaves_no_process() -> None:
 
 def test_process_ends_with_its_driver_in_the_middle_of_a_run() -> None:
     program = """
-        from repro.processes import WorkerProcess
+        from repro.runs.workers.process import WorkerProcess
         from tests.held_searches import Telling, tasks_of
         worker = WorkerProcess()
         print(worker.execute(tasks_of(telling=Telling())[0]).evaluations, flush=True)

@@ -3,7 +3,7 @@ import sys
 
 import pytest
 
-from repro.progress import Progress
+from repro.commands.progress import Progress
 
 
 class Terminal(io.StringIO):

@@ -7,8 +7,8 @@ import numba
 import numpy as np
 import pytest
 
-from repro.provenance import provenance
-from repro.seeds import RULE
+from repro.determinism.provenance import provenance
+from repro.determinism.seeds import RULE
 
 
 def test_provenance_says_with_what_runs_are_made() -> None:

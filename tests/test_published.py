@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from repro.errors import DeclarationError
-from repro.published import UNITS, Printed, PublishedTable
+from repro.tables.published import UNITS, Printed, PublishedTable
 
 TIMES = """
     Table VI, p. 9 (50 runs)

@@ -5,8 +5,8 @@ from xml.etree import ElementTree as ET
 import numpy as np
 import pytest
 
-from repro.report.drawing import Drawing, drawing
-from repro.report.rank_drawing import rank_plot
+from repro.report.drawings.draw import Drawing, drawing
+from repro.report.drawings.ranks import rank_plot
 from repro.statistics.friedman import friedman
 
 NAMES = ("WOA", "PSO", "DE", "GSA", "SMA")

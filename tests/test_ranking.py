@@ -4,9 +4,10 @@ import numpy as np
 import pytest
 from scipy.stats import mannwhitneyu
 
-from repro.evidence import Evidence, Runs
-from repro.measures import Rank
-from repro.ranking import Contest, Firsts, MeanRank, Place, RankSum, ranked
+from repro.model.claims import ranked
+from repro.model.evidence import Evidence, Runs
+from repro.model.measures.measure import Rank
+from repro.model.measures.ranks import Contest, ContestPlace, Firsts, MeanRank, RankSum
 from tests.small_papers import PAPER
 
 CONTEST = Contest(experiment="e", problems=("p", "q"), algorithms=("a", "b", "c"))
@@ -76,7 +77,7 @@ def test_rank_sum_rests_on_the_fewest_repeats_of_any_cell() -> None:
 def test_places_order_mean_ranks_and_ties_share_the_better(name: str, place: int) -> None:
     found = constant(a=(1, 1), b=(2, 7), c=(3, 2))
 
-    measured = Place(contest=CONTEST, algorithm=name).measure(found)
+    measured = ContestPlace(contest=CONTEST, algorithm=name).measure(found)
 
     assert measured.value == place
     assert set(measured.draws) == {place}
@@ -152,7 +153,7 @@ def test_equal_samples_are_not_different() -> None:
 def test_measures_need_every_cell_that_they_compare() -> None:
     cells = {("e", problem, name) for problem in "pq" for name in "abc"}
 
-    for kind in (MeanRank, Place, Firsts):
+    for kind in (MeanRank, ContestPlace, Firsts):
         assert set(kind(contest=CONTEST, algorithm="b").cells()) == cells
     pair = RankSum(experiment="e", problems=("p", "q"), algorithm="a", against="c")
     assert set(pair.cells()) == {cell for cell in cells if cell[2] != "b"}
@@ -197,7 +198,7 @@ def test_rank_sum_of_averages_compares_one_number_per_problem() -> None:
 
 
 def test_words_name_what_is_compared() -> None:
-    measures = [kind(contest=CONTEST, algorithm="b") for kind in (MeanRank, Place, Firsts)]
+    measures = [kind(contest=CONTEST, algorithm="b") for kind in (MeanRank, ContestPlace, Firsts)]
 
     for measure in measures:
         assert "b" in measure.words

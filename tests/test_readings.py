@@ -3,13 +3,19 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from repro.claims import CellClaim
-from repro.evidence import Evidence, Runs
-from repro.findings import judge_paper
-from repro.measures import Computed
-from repro.model import Alternative, Assumption, Paper
-from repro.readings import AS_CHOSEN, FARTHEST, fingerprints, reached, varied_evidence
-from repro.verdict import Verdict
+from repro.judge.findings import judge_paper
+from repro.judge.other_readings import (
+    AS_CHOSEN,
+    FARTHEST,
+    evidence_under_readings,
+    fingerprints,
+    reached,
+)
+from repro.judge.verdict import Verdict
+from repro.model.claims import CellClaim
+from repro.model.evidence import Evidence, Runs
+from repro.model.measures.measure import Computed
+from repro.model.paper import Alternative, Assumption, Paper
 from tests.small_papers import CLAIMS, PAPER
 
 
@@ -46,7 +52,7 @@ def evidence(paper: Paper, *, guess: float, **readings: float) -> Evidence:
 def test_contradicted_number_says_what_becomes_of_it_under_each_reading() -> None:
     found = evidence(open_paper(WIDER), guess=5.0, wider=0.05)
 
-    mean, *_ = judge_paper(found, varied_evidence(found))
+    mean, *_ = judge_paper(found, evidence_under_readings(found))
 
     assert mean.verdict is Verdict.CONTRADICTED
     (outcome,) = mean.readings
@@ -58,7 +64,7 @@ def test_contradicted_number_says_what_becomes_of_it_under_each_reading() -> Non
 def test_reading_that_is_contradicted_too_reaches_nothing() -> None:
     found = evidence(open_paper(WIDER), guess=5.0, wider=50.0)
 
-    mean, *_ = judge_paper(found, varied_evidence(found))
+    mean, *_ = judge_paper(found, evidence_under_readings(found))
 
     assert [outcome.side for outcome in mean.readings] == ["higher"]
     assert reached(mean) == ()
@@ -68,7 +74,7 @@ def test_no_reading_is_promoted_because_it_fits() -> None:
     found = evidence(open_paper(WIDER), guess=5.0, wider=0.05)
 
     plain, *_ = judge_paper(found)
-    varied, *_ = judge_paper(found, varied_evidence(found))
+    varied, *_ = judge_paper(found, evidence_under_readings(found))
 
     assert replace(varied, readings=()) == plain
 
@@ -76,7 +82,7 @@ def test_no_reading_is_promoted_because_it_fits() -> None:
 def test_reading_bears_only_on_numbers_whose_runs_it_changes() -> None:
     found = evidence(open_paper(WIDER), guess=5.0, wider=0.05)
 
-    findings = judge_paper(found, varied_evidence(found))
+    findings = judge_paper(found, evidence_under_readings(found))
 
     assert {f.column: len(f.readings) for f in findings if f.row == "bowl mean"} == {
         "guess": 1,
@@ -87,13 +93,13 @@ def test_reading_bears_only_on_numbers_whose_runs_it_changes() -> None:
 def test_number_that_is_not_contradicted_needs_no_reading() -> None:
     found = evidence(open_paper(WIDER), guess=0.05, wider=0.5)
 
-    mean, *_ = judge_paper(found, varied_evidence(found))
+    mean, *_ = judge_paper(found, evidence_under_readings(found))
 
     assert (mean.verdict, mean.readings) == (Verdict.REPRODUCED, ())
 
 
 def test_reading_that_was_not_run_says_nothing() -> None:
-    assert varied_evidence(evidence(open_paper(WIDER), guess=5.0)) == ()
+    assert evidence_under_readings(evidence(open_paper(WIDER), guess=5.0)) == ()
 
 
 def test_reading_of_a_computed_number_needs_no_run() -> None:
@@ -102,7 +108,7 @@ def test_reading_of_a_computed_number_needs_no_run() -> None:
         open_paper(Alternative(name="rule", says="by hand", claims=(claim,))), guess=5.0
     )
 
-    mean, *_ = judge_paper(found, varied_evidence(found))
+    mean, *_ = judge_paper(found, evidence_under_readings(found))
 
     assert reached(mean) == ("rule",)
 
@@ -116,7 +122,9 @@ def test_fingerprint_names_the_reading_that_is_nearest_to_the_column(
 ) -> None:
     found = evidence(mean_only(open_paper(WIDER)), guess=guess, wider=wider)
 
-    (column,) = (p for p in fingerprints(found, varied_evidence(found)) if p.column == "guess")
+    (column,) = (
+        p for p in fingerprints(found, evidence_under_readings(found)) if p.column == "guess"
+    )
 
     assert column.nearest == nearest
     assert {round(column.chosen, 6), round(column.others[0][1], 6)} == {0.0, 2.0}
@@ -125,7 +133,9 @@ def test_fingerprint_names_the_reading_that_is_nearest_to_the_column(
 def test_zero_is_farther_from_a_number_than_any_other_double() -> None:
     found = evidence(mean_only(open_paper(WIDER)), guess=0.0, wider=5e-324)
 
-    (column,) = (p for p in fingerprints(found, varied_evidence(found)) if p.column == "guess")
+    (column,) = (
+        p for p in fingerprints(found, evidence_under_readings(found)) if p.column == "guess"
+    )
 
     assert column.chosen == FARTHEST > column.others[0][1] > 300
 

@@ -1,15 +1,15 @@
 import pytest
 
-from repro.findings import judge_paper
-from repro.readings import FARTHEST, fingerprints, varied_evidence
+from repro.judge.findings import judge_paper
+from repro.judge.other_readings import FARTHEST, evidence_under_readings, fingerprints
 from repro.report.pages import render
-from repro.report.readings_view import ReadingsView, readings_view
+from repro.report.views.readings import ReadingsView, readings_view
 from tests.test_readings import WIDER, evidence, open_paper
 
 
 def view(**costs: float) -> ReadingsView:
     found = evidence(open_paper(WIDER), **costs)
-    varied = varied_evidence(found)
+    varied = evidence_under_readings(found)
     return readings_view(
         found.paper, judge_paper(found, varied), varied, fingerprints(found, varied)
     )

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from repro.__main__ import _COMMANDS
-from repro.arguments import parser
+from repro.commands.arguments import parser
 from repro.errors import InputError
 from repro.report.readme import BEGIN, END, with_verdicts
 

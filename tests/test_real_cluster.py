@@ -14,13 +14,13 @@ from pathlib import Path
 import pytest
 
 from repro.__main__ import all_papers
-from repro.cluster import BATCH_SECONDS, cluster
+from repro.determinism.provenance import provenance
 from repro.errors import ClusterLostError, InputError
-from repro.executors import local
-from repro.plan import Task, plan
-from repro.provenance import provenance
-from repro.session import run_missing
-from repro.store import Store
+from repro.runs.plan import Task, plan
+from repro.runs.session import run_missing
+from repro.runs.store.store import Store
+from repro.runs.workers.dask_cluster import BATCH_SECONDS, cluster
+from repro.runs.workers.local import local
 from tests.held_searches import Held, Telling, deadly, many, tasks_of
 
 pytest.importorskip("distributed", reason="the extra `cluster` is not installed")

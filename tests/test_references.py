@@ -3,7 +3,7 @@ from dataclasses import replace
 
 import pytest
 
-from repro.references import outside_references, ruckig_time, toppra_time
+from repro.judge.outside_planners import outside_references, ruckig_time, toppra_time
 from repro.robotics.fastest import fastest
 from tests.doe2021 import ARM, PAPER
 

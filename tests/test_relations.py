@@ -7,16 +7,18 @@ from hypothesis import strategies as st
 from scipy.stats import mannwhitneyu, rankdata, wilcoxon
 
 from repro.audit import AuditRow, Grade, audit
-from repro.audit.slips import slips
-from repro.claims import Sentence
 from repro.errors import DeclarationError
-from repro.measures import Rank, Statistic
-from repro.published import Printed, PublishedTable
-from repro.relations import (
+from repro.model.claims import Sentence
+from repro.model.measures.measure import Rank, Statistic
+from repro.model.tolerances import Absolute
+from repro.robotics import Convention, forward_kinematics
+from repro.tables.digit_slips import slips
+from repro.tables.published import Printed, PublishedTable
+from repro.tables.relations import (
     AverageRank,
-    Difference,
     EqualSpacing,
     InRange,
+    Less,
     PercentLower,
     PrintedPoses,
     PValues,
@@ -27,8 +29,6 @@ from repro.relations import (
     TextNumber,
     row_sums,
 )
-from repro.robotics import Convention, forward_kinematics
-from repro.verdict import Absolute
 from tests.summaries import fixed, paper_of
 
 BLOCK = {"A": {"mean": "2.000", "std": "1.000"}}
@@ -77,10 +77,8 @@ def test_a_sum_that_is_off_is_shown_with_the_slip_that_explains_it() -> None:
 
 
 def test_a_difference_that_fits_gives_no_row_and_one_that_does_not_gives_one() -> None:
-    fits = Difference(printed=text("1.85"), before=text("8.00"), after=text("6.15"))
-    (row,) = rows_of(
-        fits, Difference(printed=text("1.45"), before=text("8.00"), after=text("6.15"))
-    )
+    fits = Less(printed=text("1.85"), before=text("8.00"), after=text("6.15"))
+    (row,) = rows_of(fits, Less(printed=text("1.45"), before=text("8.00"), after=text("6.15")))
     assert (row.check, row.table) == ("difference", "section 9")
     assert "1.85 for 1.45 (one digit changed)" in row.explanation
 

@@ -8,7 +8,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from repro.compiled import COST, ready
+from repro.determinism.compiled import COST, ready
 from repro.errors import DeclarationError
 from repro.robotics import MinimumTime, RestToRestLaw, cubic, peak, quintic, septic
 from repro.robotics.rest_to_rest import motion, peaks

@@ -4,8 +4,8 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from repro.published import Printed
-from repro.verdict import RoundedOrCut
+from repro.model.tolerances import RoundedOrCut
+from repro.tables.published import Printed
 
 
 def cut(number: float, decimals: int) -> str:

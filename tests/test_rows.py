@@ -5,7 +5,16 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from repro.rows import LONGEST, curve_of, digest, pack, record_of, unpack, values_of, vector
+from repro.runs.store.row import (
+    LONGEST,
+    curve_of,
+    digest,
+    pack,
+    record_of,
+    unpack,
+    values_of,
+    vector,
+)
 from tests.small_stores import RECORDS, TASKS, content
 
 
@@ -33,7 +42,7 @@ def test_curve_that_is_not_what_was_packed_is_none(blob: object, packed: object)
 
 def test_curve_that_would_fill_the_memory_is_damage(monkeypatch: pytest.MonkeyPatch) -> None:
     assert LONGEST >= 8 * 10**7
-    monkeypatch.setattr("repro.rows.LONGEST", 100)
+    monkeypatch.setattr("repro.runs.store.row.LONGEST", 100)
 
     assert unpack(pack(bytes(100)), 1) == bytes(100)
     assert unpack(pack(bytes(101)), 1) is None

@@ -3,8 +3,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from repro.plan import plan
-from repro.run import Record, execute, execute_all, holds_interpreter
+from repro.runs.plan import plan
+from repro.runs.run import Record, execute, execute_all, holds_interpreter
 from tests.held_searches import Telling
 from tests.small_papers import EXPERIMENT, PAPER, Bowl, Failing, Guessing, searching
 

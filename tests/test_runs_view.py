@@ -1,9 +1,9 @@
 import pytest
 
-from repro.evidence import Evidence
-from repro.findings import judge_paper
-from repro.model import Paper
-from repro.report.runs_view import RunsView, runs_view
+from repro.judge.findings import judge_paper
+from repro.model.evidence import Evidence
+from repro.model.paper import Paper
+from repro.report.views.runs import RunsView, runs_view
 from tests.doe2021 import PAPER
 from tests.small_papers import PAPER as SMALL
 from tests.test_centre_bias_view import evidence

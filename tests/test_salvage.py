@@ -11,10 +11,10 @@ from pathlib import Path
 import pytest
 
 from repro.errors import DamageError, StoreError
-from repro.plan import plan
-from repro.run import execute
-from repro.salvage import name_of
-from repro.store import Store
+from repro.runs.plan import plan
+from repro.runs.run import execute
+from repro.runs.store.damage import name_of
+from repro.runs.store.store import Store
 from tests.damages import LONG, damaged, tried
 from tests.small_papers import Failing, searching
 from tests.small_stores import (
@@ -140,7 +140,7 @@ def test_set_aside_row_is_kept_as_it_was(folder: Path) -> None:
 def test_many_damaged_rows_are_counted_after_the_first_twenty(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("repro.store._NAMED", 2)
+    monkeypatch.setattr("repro.runs.store.store._NAMED", 2)
     change(folder, "update run set cost = 0")
 
     said = reproduced(folder)[2]

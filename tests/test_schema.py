@@ -14,9 +14,9 @@ import numpy as np
 import pytest
 
 from repro.errors import InputError
-from repro.rows import curve_of, digest, values_of
-from repro.schema import APPLICATION, SCHEMA, open_to_read
-from repro.store import Store
+from repro.runs.store.file import APPLICATION, SCHEMA, open_to_read
+from repro.runs.store.row import curve_of, digest, values_of
+from repro.runs.store.store import Store
 from tests.small_stores import INTACT, RECORDS, TASKS, filled, read, reproduced, timeless
 
 # as version 0.1.0 made it

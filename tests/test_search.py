@@ -2,7 +2,7 @@ import json
 
 import pytest
 
-from repro.report.search import search_rows
+from repro.report.views.search_box import search_rows
 from tests.made_up import pages_of
 
 

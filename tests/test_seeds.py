@@ -4,7 +4,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from repro.seeds import generator
+from repro.determinism.seeds import generator
 
 PARTS = st.lists(st.one_of(st.text(), st.integers()), min_size=1, max_size=6)
 

@@ -6,16 +6,16 @@ from typing import Any
 import numpy as np
 import pytest
 
-from repro.evidence import Evidence
 from repro.functions import FUNCTIONS
-from repro.measures import Statistic
-from repro.model import Paper
+from repro.model.evidence import Evidence
+from repro.model.measures.measure import Statistic
+from repro.model.paper import Paper
 from repro.optimisers import WOA
-from repro.plan import Task, plan
-from repro.run import Record
-from repro.session import gather, run_missing
-from repro.store import Store
-from repro.studies import Study
+from repro.runs.plan import Task, plan
+from repro.runs.run import Record
+from repro.runs.session import gather, run_missing
+from repro.runs.store.store import Store
+from repro.runs.studies import Study
 from tests.small_papers import CLAIMS, EXPERIMENT, PAPER, Failing, Guessing, searching
 from tests.small_stores import content
 

@@ -9,8 +9,8 @@ from repro.errors import InputError
 from repro.functions import FUNCTIONS, Function
 from repro.functions.shifted import ShiftedProblem
 from repro.optimisers import DE, WOA
-from repro.plan import plan
-from repro.shifts import SHARES
+from repro.runs.moved_optima import SHARES
+from repro.runs.plan import plan
 from tests.small_papers import EXPERIMENT, PAPER
 from tests.twins.functions import FORMULAS
 

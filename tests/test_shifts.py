@@ -7,10 +7,10 @@ from papers.smwoa2022 import PAPER as SMWOA
 from repro.errors import InputError
 from repro.functions import FUNCTIONS
 from repro.functions.shifted import ShiftedProblem
-from repro.model import Experiment
+from repro.model.experiment import Experiment
 from repro.optimisers import DE, WOA
-from repro.plan import plan
-from repro.shifts import CONTROL, FLOOR, IN_PLACE, SHARES, centred, shifted
+from repro.runs.moved_optima import CONTROL, FLOOR, IN_PLACE, SHARES, centred, shifted
+from repro.runs.plan import plan
 from tests.small_papers import PAPER
 
 LIANG_TEST, LIANG_MOTION = LIANG.experiments

@@ -10,8 +10,8 @@ from papers.smwoa2022 import PAPER, SMWOA
 from papers.smwoa2022.experiments import ANGLE, BENCHMARK, TRAJECTORY, UR5
 from papers.smwoa2022.printed import AFTER, BEFORE, TABLE_2, TABLE_3, TABLE_6, TIME_SAVED
 from papers.smwoa2022.sentences import printed_durations
-from repro.certify import certify
-from repro.claims import CellClaim, Sentence
+from repro.judge.certificates import certify
+from repro.model.claims import CellClaim, Sentence
 from repro.robotics.spline_motion import motion
 from tests.test_twins import assert_same
 

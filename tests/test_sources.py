@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from repro import sources
-from repro.sources import source_digest
+from repro.determinism import source_digests as sources
+from repro.determinism.source_digests import source_digest
 
 Digest = Callable[[str], str]
 
@@ -77,12 +77,12 @@ def test_anything_that_runs_counts(digest_of: Digest, old: str, new: str) -> Non
 @pytest.mark.parametrize(
     ("line", "module"),
     [
-        ("from repro.draws import uniform", "repro.draws"),
+        ("from repro.determinism.draws import uniform", "repro.determinism.draws"),
         ("from repro.statistics import tables", "repro.statistics.tables"),
-        ("import repro.draws", "repro.draws"),
-        ("import repro.draws as drawing", "repro.draws"),
-        ("def f():\n    from repro.draws import uniform", "repro.draws"),
-        ("from repro.optimisers.whale import WOA", "repro.compiled"),
+        ("import repro.determinism.draws", "repro.determinism.draws"),
+        ("import repro.determinism.draws as drawing", "repro.determinism.draws"),
+        ("def f():\n    from repro.determinism.draws import uniform", "repro.determinism.draws"),
+        ("from repro.optimisers.whale import WOA", "repro.determinism.compiled"),
     ],
 )
 def test_imported_modules_of_the_engine_count(digest_of: Digest, line: str, module: str) -> None:
@@ -99,7 +99,7 @@ def test_change_in_an_imported_module_changes_the_digest(
     meaning = sources._meaning
 
     def changed(name: str) -> str:
-        return meaning(name) + ("!" if name == "repro.draws" else "")
+        return meaning(name) + ("!" if name == "repro.determinism.draws" else "")
 
     changed.cache_clear = meaning.cache_clear  # type: ignore[attr-defined]
     monkeypatch.setattr(sources, "_meaning", changed)
@@ -116,7 +116,7 @@ def test_other_packages_do_not_count(digest_of: Digest) -> None:
 def test_names_that_are_no_modules_of_python_count_as_nothing() -> None:
     forget()
 
-    assert sources._path("repro.draws.uniform") is None
+    assert sources._path("repro.determinism.draws.uniform") is None
     assert sources._path("itertools") is None
     assert sources._path("repro.nothing") is None
 
@@ -128,6 +128,6 @@ def test_compiled_code_rests_on_its_draws_and_its_compilation(module: str) -> No
     found = sources._closure((module,))
 
     assert module in found
-    assert "repro.compiled" in found
-    assert ("repro.draws" in found) == ("optimisers" in module)
+    assert "repro.determinism.compiled" in found
+    assert ("repro.determinism.draws" in found) == ("optimisers" in module)
     assert not any(name.startswith(("repro.report", "repro.audit")) for name in found)

@@ -3,10 +3,10 @@ import pytest
 
 from papers.smwoa2022 import PAPER
 from papers.smwoa2022.experiments import UR5
-from repro.certify_spline import prove
-from repro.evidence import Evidence, Runs
-from repro.figures import SplineMotion
-from repro.report.drawing import Drawing, draw
+from repro.model.evidence import Evidence, Runs
+from repro.model.figures import SplineMotion
+from repro.report.drawings.draw import Drawing, draw
+from repro.robotics.proofs.spline_minimum import prove
 
 LONG, SHORT = np.full(5, 6.0), np.full(5, 4.0)
 ANGLE, ALL, *_ = PAPER.figures

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from repro.compiled import COST, ready
+from repro.determinism.compiled import COST, ready
 from repro.errors import DeclarationError
 from repro.robotics import MinimumTimeSpline
 from repro.robotics.spline_motion import motion

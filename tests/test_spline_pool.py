@@ -3,8 +3,8 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from repro.spline_pool import Limits
-from repro.spline_rows import Bend, Cut, Rationals, bend, cut, dot, exact
+from repro.robotics.proofs.limit_pool import Limits
+from repro.robotics.proofs.limit_rows import Bend, Cut, Rationals, bend, cut, dot, exact
 from tests.test_spline_motion import PROBLEM
 
 MODEL = exact(PROBLEM)

@@ -6,8 +6,17 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from repro.robotics.proofs.limit_rows import (
+    Bend,
+    Box,
+    bend,
+    cut,
+    dot,
+    exact,
+    rounded_down,
+    smallest,
+)
 from repro.robotics.spline_motion import motion
-from repro.spline_rows import Bend, Box, bend, cut, dot, exact, rounded_down, smallest
 from tests.test_spline_motion import PROBLEM
 
 MODEL = exact(PROBLEM)

@@ -3,11 +3,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from repro.evidence import Cell, Runs
 from repro.functions import FUNCTIONS
-from repro.model import Experiment
+from repro.judge.beside_baselines import Standing, budget_rows, mean_ranks, standings
+from repro.model.evidence import Cell, Runs
+from repro.model.experiment import Experiment
 from repro.optimisers import DE, WOA
-from repro.standings import Standing, budget_rows, mean_ranks, standings
 
 EXPERIMENT = Experiment(
     name="search",

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from repro.draws import state_from, uniform
+from repro.determinism.draws import state_from, uniform
 from repro.errors import InputError
 from repro.optimisers import SteadyStateGA
 from tests.small_problems import OFF_CENTRE, small

@@ -18,10 +18,10 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from repro.errors import InputError, StoreError
-from repro.plan import plan
-from repro.run import execute
-from repro.schema import APPLICATION, SCHEMA
-from repro.store import Store, finished_keys
+from repro.runs.plan import plan
+from repro.runs.run import execute
+from repro.runs.store.file import APPLICATION, SCHEMA
+from repro.runs.store.store import Store, finished_keys
 from tests.small_papers import Failing, searching
 from tests.small_stores import ENVIRONMENT, RECORDS, TASKS, change, content, filled, stored
 
@@ -160,7 +160,9 @@ def test_store_whose_making_was_cut_short_is_made_anew(tmp_path: Path, mark: str
 
 
 def test_store_is_made_whole_or_not_at_all(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("repro.schema.TABLES", "create table env(id); create table env(id);")
+    monkeypatch.setattr(
+        "repro.runs.store.file.TABLES", "create table env(id); create table env(id);"
+    )
     with pytest.raises(StoreError, match="already exists"), Store(tmp_path):
         pass
     monkeypatch.undo()

@@ -1,13 +1,13 @@
 from dataclasses import replace
 
 from papers.liang2026 import PAPER as LIANG
-from repro.baselines import BASELINES
-from repro.baselines.study import BASELINE_RUNS
-from repro.model import Alternative, Assumption
+from repro.model.paper import Alternative, Assumption
+from repro.optimisers.libraries import BASELINES
 from repro.optimisers.random_search import RandomSearch
-from repro.plan import plan
-from repro.shifts import CONTROL, FLOOR
-from repro.studies import Study, kinds_of, studies, study_name
+from repro.runs.baseline_study import BASELINE_RUNS
+from repro.runs.moved_optima import CONTROL, FLOOR
+from repro.runs.plan import plan
+from repro.runs.studies import Study, kinds_of, studies, study_name
 from tests.small_papers import PAPER
 from tests.test_equal_budget import PROTOCOL
 

@@ -28,15 +28,15 @@ from papers.syji.printed import (
     TOTAL,
     WHOLE,
 )
-from repro.claims import CellClaim
-from repro.compiled import COST, ready
-from repro.evidence import Evidence
-from repro.findings import judge_paper
+from repro.determinism.compiled import COST, ready
+from repro.judge.findings import judge_paper
+from repro.judge.verdict import Verdict
+from repro.model.claims import CellClaim
+from repro.model.evidence import Evidence
 from repro.optimisers import WOA
 from repro.robotics import quintic, septic
 from repro.robotics.fastest import fastest_joints
 from repro.robotics.fixed_penalties import cheapest
-from repro.verdict import Verdict
 
 # Greatest |derivative| of s(τ) = 10τ³-15τ⁴+6τ⁵ and 35τ⁴-84τ⁵+70τ⁶-20τ⁷, by hand: s' and s''' turn
 # at τ = 1/2, s'' at (1-1/√3)/2 and (1-1/√5)/2; the fifth order's jerk is greatest at the ends.

@@ -1,6 +1,6 @@
 import numpy as np
 
-from repro.draws import state_from
+from repro.determinism.draws import state_from
 from repro.optimisers.tent_map import STARTS, started, tent
 
 UNIT = np.tile([0.0, 1.0], (4, 1))

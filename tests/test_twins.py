@@ -5,7 +5,7 @@ from dataclasses import asdict, replace
 import numpy as np
 import pytest
 
-from repro.draws import normal, state_from, uniform
+from repro.determinism.draws import normal, state_from, uniform
 from repro.optimisers import DBO, DE, GA, GSA, GWO, PSO, SMA, WOA, HybridWOA, RandomSearch, SlimeWOA
 from repro.optimisers.slime_mould import _weigh
 from tests.additions import ADDITIONS, SLIME, TOGETHER

@@ -7,7 +7,7 @@ import pytest
 from repro.__main__ import main
 from repro.report.pages import write_report
 from repro.report.unchanged import Written
-from repro.store import Store
+from repro.runs.store.store import Store
 from tests.small_papers import PAPER
 from tests.small_stores import ENVIRONMENT, RECORDS, TASKS, change, filled
 

@@ -3,9 +3,9 @@ from dataclasses import replace
 import pytest
 
 from repro.errors import DeclarationError
-from repro.measures import Computed
-from repro.model import Alternative, Assumption, Paper
-from repro.variations import applied, changed_part, claims_under, variations
+from repro.model.measures.measure import Computed
+from repro.model.paper import Alternative, Assumption, Paper
+from repro.runs.readings import applied, changed_part, claims_under, readings
 from tests.small_papers import CLAIMS, EXPERIMENT, PAPER, Bowl, Guessing
 
 WIDER = Alternative(
@@ -32,9 +32,9 @@ def paper(*assumptions: Assumption, together: tuple[str, ...] = ()) -> Paper:
 
 
 def test_every_alternative_that_changes_anything_is_a_variation() -> None:
-    found = variations(paper(assumption("width", WIDER, OTHER), assumption("style", IN_WORDS)))
+    found = readings(paper(assumption("width", WIDER, OTHER), assumption("style", IN_WORDS)))
 
-    assert [variation.name for variation in found] == ["wider", "other"]
+    assert [reading.name for reading in found] == ["wider", "other"]
     assert found[0].says == "width: three times"
 
 
@@ -45,7 +45,7 @@ def test_alternatives_are_combined_but_not_two_of_one_assumption() -> None:
         together=("wider", "other", "moved"),
     )
 
-    names = [variation.name for variation in variations(declared)]
+    names = [reading.name for reading in readings(declared)]
 
     assert names == ["wider", "other", "moved", "wider + moved", "other + moved"]
 
@@ -56,11 +56,11 @@ def test_all_that_are_named_together_are_combined_in_every_size() -> None:
         together=("wider", "moved", "longer"),
     )
 
-    assert len(variations(declared)) == 3 + 3 + 1
+    assert len(readings(declared)) == 3 + 3 + 1
 
 
 def test_fields_are_replaced_and_objects_take_the_place_of_others() -> None:
-    wider, other = variations(paper(assumption("width", WIDER, OTHER)))
+    wider, other = readings(paper(assumption("width", WIDER, OTHER)))
 
     assert applied(EXPERIMENT, wider).algorithms["guess"] == Guessing(width=3.0)
     assert applied(EXPERIMENT, other).algorithms["guess"] == Guessing(width=5.0)
@@ -72,16 +72,14 @@ def test_combined_alternatives_all_apply() -> None:
         assumption("width", WIDER), assumption("place", MOVED), together=("wider", "moved")
     )
 
-    both = applied(EXPERIMENT, variations(declared)[-1])
+    both = applied(EXPERIMENT, readings(declared)[-1])
 
     assert both.algorithms["guess"] == Guessing(width=3.0)
     assert both.problems["bowl"] == Bowl(centre=(0.0, 0.0))
 
 
 def test_only_what_changes_runs_again() -> None:
-    wider, moved, longer = variations(
-        paper(*(assumption(a.name, a) for a in (WIDER, MOVED, LONGER)))
-    )
+    wider, moved, longer = readings(paper(*(assumption(a.name, a) for a in (WIDER, MOVED, LONGER))))
     parts = [changed_part(EXPERIMENT, each) for each in (wider, moved, longer)]
 
     assert [part and set(part.algorithms) for part in parts] == [
@@ -96,14 +94,14 @@ def test_only_what_changes_runs_again() -> None:
 
 def test_claims_of_an_alternative_take_the_place_of_those_on_the_same_cell() -> None:
     computed = replace(CLAIMS[1], measure=Computed(how="by hand", value=lambda: 1.0))
-    (variation,) = variations(
+    (reading,) = readings(
         paper(assumption("rule", Alternative(name="rule", says="by hand", claims=(computed,))))
     )
 
-    found = claims_under(PAPER, variation)
+    found = claims_under(PAPER, reading)
 
     assert found == (CLAIMS[0], computed, *CLAIMS[2:])
-    assert changed_part(EXPERIMENT, variation) is None
+    assert changed_part(EXPERIMENT, reading) is None
 
 
 @pytest.mark.parametrize(
@@ -143,6 +141,6 @@ def test_combination_runs_an_experiment_only_if_all_of_it_bears_on_it() -> None:
         assumptions=(assumption("width", WIDER), assumption("place", moved)),
         together=("wider", "moved"),
     )
-    both = variations(declared)[-1]
+    both = readings(declared)[-1]
 
     assert [both.touching(name).name for name in ("search", "walk")] == ["wider", "moved"]

@@ -5,18 +5,10 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from repro.published import Printed
-from repro.verdict import (
-    ZERO_FITNESS,
-    ZERO_STD,
-    Absolute,
-    Between,
-    Fitness,
-    Percent,
-    Tolerance,
-    Verdict,
-    judge,
-)
+from repro.judge.verdict import Verdict, judge
+from repro.model.tolerances import Absolute, Between, Fitness, Percent, Tolerance
+from repro.tables.published import Printed
+from repro.tables.true_numbers import ZERO_FITNESS, ZERO_STD
 
 FITNESS = Fitness(decades=1, near_zero=0.01, percent=25)
 INTERVAL = st.tuples(st.integers(-4, 4), st.integers(-4, 4)).map(lambda ends: tuple(sorted(ends)))

@@ -8,10 +8,10 @@ import pytest
 
 from repro.__main__ import main
 from repro.errors import InputError
-from repro.plan import plan
-from repro.run import Record, execute
-from repro.store import Store
-from repro.verify import LAST_BITS, Outcome, Verification, compare, verify
+from repro.runs.plan import plan
+from repro.runs.run import Record, execute
+from repro.runs.store.store import Store
+from repro.runs.verify import LAST_BITS, Outcome, Verification, compare, verify
 from tests.small_papers import PAPER
 from tests.small_stores import ENVIRONMENT, RECORDS, TASKS, change, filled
 

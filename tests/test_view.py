@@ -1,5 +1,5 @@
 from repro.audit import AuditRow, Grade
-from repro.report.view import marks_by_cell
+from repro.report.views.findings import marks_by_cell
 
 
 def test_an_audit_row_on_several_cells_marks_each() -> None:

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from repro.waves import LARGEST, cosine_of_turns, squared_sine
+from repro.determinism.sines import LARGEST, cosine_of_turns, squared_sine
 from tests.twins import waves as twin
 
 # to 100 digits; doi:10.1090/S0025-5718-1962-0136051-9

@@ -4,7 +4,6 @@ import shlex
 
 import pytest
 
-from repro.published import Printed
 from repro.report.words import (
     again_command,
     anchor,
@@ -18,6 +17,7 @@ from repro.report.words import (
     share,
     verdict_words,
 )
+from repro.tables.published import Printed
 
 
 @pytest.mark.parametrize(

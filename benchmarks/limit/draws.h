@@ -1,4 +1,4 @@
-/* Random numbers as in repro/draws.py: xoshiro256**, doi:10.1145/3460772. */
+/* Random numbers as in repro/determinism/draws.py: xoshiro256**, doi:10.1145/3460772. */
 
 #include <stdint.h>
 

@@ -1,4 +1,4 @@
-/* Benchmark functions with the operations and their order of repro/functions and repro/waves.py.
+/* Benchmark functions with the operations and their order of repro/functions and repro/determinism/sines.py.
 
 With -DLIBRARY the cosine and the sine are those of the C library, as a plain program has them. */
 

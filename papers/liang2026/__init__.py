@@ -17,13 +17,14 @@ from papers.liang2026.printed import (
 from papers.liang2026.relations import RELATIONS
 from papers.liang2026.times import BASELINE_SECONDS, baseline_time, table_vi, time_sentences
 from papers.liang2026.tool import tool_positions
-from repro.claims import Sentence, computed_cells, every_cell, lowest_everywhere
-from repro.figures import Arm, ArmMotion, Convergence, Motion, ToolPath
-from repro.measures import Computed
-from repro.model import Paper, Source
-from repro.published import Printed
+from repro.model.claims import Sentence, computed_cells, every_cell, lowest_everywhere
+from repro.model.figures import Arm, ArmMotion, Convergence, Motion, ToolPath
+from repro.model.measures.measure import Computed
+from repro.model.paper import Paper, Source
+from repro.model.tolerances import Absolute, Between, Fitness
 from repro.robotics import peak
-from repro.verdict import ZERO_STD, Absolute, Between, Fitness
+from repro.tables.published import Printed
+from repro.tables.true_numbers import ZERO_STD
 
 __all__ = ["FANUC", "IWOA", "PAPER"]
 

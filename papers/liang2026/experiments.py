@@ -2,7 +2,7 @@
 
 from papers.liang2026.printed import ACCELERATION, TABLE_III, TABLE_V, VELOCITY
 from repro.functions import FUNCTIONS
-from repro.model import Experiment
+from repro.model.experiment import Experiment
 from repro.optimisers import DBO, GWO, PSO, WOA, HybridWOA
 from repro.robotics import MinimumTime, dh_rows, quintic
 

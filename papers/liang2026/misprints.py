@@ -1,6 +1,6 @@
 """Liang et al.: what the paper misprints or keeps to itself."""
 
-from repro.model import Erratum, Gap
+from repro.model.open_points import Erratum, Gap
 
 ROBOGUIDE = Gap(
     what="times in the RoboGuide simulation (18 % less)",

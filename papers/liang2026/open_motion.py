@@ -1,7 +1,7 @@
 """Liang et al.: what the paper leaves open of the motion."""
 
 from papers.liang2026.times import table_vi, time_sentences
-from repro.model import Alternative, Assumption
+from repro.model.paper import Alternative, Assumption
 
 MOTION_OPEN = (
     Assumption(

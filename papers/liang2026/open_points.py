@@ -3,7 +3,7 @@
 from papers.liang2026.experiments import BENCHMARK, MOTION
 from papers.liang2026.open_motion import MOTION_OPEN
 from papers.liang2026.tool import tool_positions
-from repro.model import Alternative, Assumption
+from repro.model.paper import Alternative, Assumption
 from repro.optimisers import HybridWOA, SlimeWOA
 
 BY_EQUATIONS = HybridWOA(leader="per whale", spiral_range="symmetric")

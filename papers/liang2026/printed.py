@@ -1,6 +1,6 @@
 """Liang et al.: the numbers that are printed, as they stand on the page."""
 
-from repro.published import Printed, PublishedTable
+from repro.tables.published import Printed, PublishedTable
 
 TABLE_II = PublishedTable.read("""
     Table II, section III-D (30 runs)

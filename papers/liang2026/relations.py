@@ -1,7 +1,14 @@
 """Liang et al.: what the printed numbers must be to each other."""
 
 from papers.liang2026.printed import TABLE_III, TABLE_IV, TABLE_V, TABLE_VI, TIME_SAVED
-from repro.relations import PercentLower, PrintedPoses, Relation, TableCell, TextNumber, row_sums
+from repro.tables.relations import (
+    PercentLower,
+    PrintedPoses,
+    Relation,
+    TableCell,
+    TextNumber,
+    row_sums,
+)
 
 RELATIONS: tuple[Relation, ...] = (
     *row_sums(TABLE_VI, total="Total Time t", addends=("t1", "t2")),

@@ -2,9 +2,9 @@
 
 from papers.liang2026.experiments import MOTION
 from papers.liang2026.printed import BASELINE, TABLE_VI, TIME_SAVED
-from repro.claims import CellClaim, Sentence, every_cell
-from repro.measures import Computed, Reduction, Statistic
-from repro.verdict import Absolute, Between, Percent
+from repro.model.claims import CellClaim, Sentence, every_cell
+from repro.model.measures.measure import Computed, Reduction, Statistic
+from repro.model.tolerances import Absolute, Between, Percent
 
 BASELINE_SECONDS = tuple(duration.si for duration in BASELINE)
 

@@ -4,10 +4,10 @@ from functools import partial
 
 from papers.liang2026.experiments import DH
 from papers.liang2026.printed import TABLE_IV, TABLE_V
-from repro.claims import CellClaim, computed_cells
-from repro.measures import Computed
+from repro.model.claims import CellClaim, computed_cells
+from repro.model.measures.measure import Computed
+from repro.model.tolerances import Absolute
 from repro.robotics.kinematics import Convention, tool_coordinate
-from repro.verdict import Absolute
 
 # Four decimals of a radian in five joints, 3.5 m from the base, move the tool by 0.9 mm at most.
 TOOL = Absolute(0.001)

@@ -15,8 +15,8 @@ from papers.mousa2023.protocol import (
 )
 from papers.mousa2023.robot import DH
 from papers.mousa2023.search_claims import search_claims
-from repro.figures import Arm, ArmMotion, Convergence, JointCurves
-from repro.model import Paper, Source
+from repro.model.figures import Arm, ArmMotion, Convergence, JointCurves
+from repro.model.paper import Paper, Source
 
 PAPER = Paper(
     key="mousa2023",

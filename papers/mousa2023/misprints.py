@@ -1,6 +1,6 @@
 """Mousa et al.: what the paper misprints or keeps to itself."""
 
-from repro.model import Erratum, Gap
+from repro.model.open_points import Erratum, Gap
 
 GAPS = (
     Gap(

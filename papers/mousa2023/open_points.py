@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 from papers.mousa2023.protocol import EXPERIMENTS, FIT, paths
 from papers.mousa2023.search_claims import search_claims
-from repro.model import Alternative, Assumption
+from repro.model.paper import Alternative, Assumption
 from repro.optimisers import HybridWOA
 from repro.robotics import cubic
 

@@ -15,12 +15,12 @@ from papers.mousa2023.robot import (
     least_freedoms,
     reach,
 )
-from repro.claims import Sentence
-from repro.curves import Combination, Place, planned
-from repro.measures import Computed
-from repro.published import Printed
+from repro.model.claims import Sentence
+from repro.model.measures.curves import Combination, PlaceAmong, planned
+from repro.model.measures.measure import Computed
+from repro.model.tolerances import Between, Percent
 from repro.robotics import PathFitting
-from repro.verdict import Between, Percent
+from repro.tables.published import Printed
 
 SMOOTHNESS: tuple[tuple[str, str, Combination], ...] = (
     ("jump of acceleration at the start", "start acceleration", "norm"),
@@ -77,7 +77,7 @@ SMOOTHER = tuple(
         claim=f"the quintic is smoother than the cubic (read as: lower {words})",
         where="section IV, Fig. 3",
         printed=FIRST,
-        measure=Place(
+        measure=PlaceAmong(
             of=_planned(QUINTIC, "quintic", words), others=(_planned(CUBIC, "cubic", words),)
         ),
         accepted=Between(1, 1),
@@ -134,7 +134,7 @@ SHAPES = (
         claim="the acceleration of the quintic is curved (its jerk varies more than the cubic's)",
         where="section IV, Fig. 3",
         printed=Printed("2", "rank"),
-        measure=Place(of=_bend(EQUATION_9, "quintic"), others=(_bend(EQUATION_4, "cubic"),)),
+        measure=PlaceAmong(of=_bend(EQUATION_9, "quintic"), others=(_bend(EQUATION_4, "cubic"),)),
         accepted=Between(2, 2),
         in_words=True,
     ),

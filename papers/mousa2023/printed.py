@@ -1,6 +1,6 @@
 """Mousa et al.: the numbers that are printed, as they stand on the page."""
 
-from repro.published import Printed, PublishedTable
+from repro.tables.published import Printed, PublishedTable
 
 TABLE_IV = PublishedTable.read("""
     Table IV, section IV (the second table of this number)

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from papers.mousa2023.printed import CROSSOVER, MUTATION
 from papers.mousa2023.robot import END, START, joint_angles
-from repro.model import Experiment
+from repro.model.experiment import Experiment
 from repro.optimisers import GA, WOA, Optimiser, SteadyStateGA
 from repro.robotics import PathFitting, RestToRestLaw, cubic, quintic, septic
 

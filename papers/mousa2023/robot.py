@@ -8,8 +8,8 @@ are -A1, -A2, 90° - A3, -A4, -A5 and 180° - A6.
 import math
 
 from papers.mousa2023.printed import ANGLES, TABLE_IV
-from repro.published import PublishedTable
 from repro.robotics import dh_rows, freedoms
+from repro.tables.published import PublishedTable
 
 REAL_ARM = PublishedTable.read("""
     KUKA KR4 R600, github kroshu/kuka_robot_descriptions, kuka_agilus_support: kr4_r600_macro.xacro

@@ -21,12 +21,12 @@ from papers.mousa2023.protocol import (
     SHIFTED_FIT,
 )
 from papers.mousa2023.robot import END, START
-from repro.claims import Sentence
-from repro.curves import Combination, Effort, Place, Sensitivity, Together
-from repro.measures import Computed, Measure, Reduction
-from repro.model import Experiment
-from repro.published import Printed
-from repro.verdict import Between
+from repro.model.claims import Sentence
+from repro.model.experiment import Experiment
+from repro.model.measures.curves import Combination, Effort, PlaceAmong, Sensitivity, Together
+from repro.model.measures.measure import Computed, Measure, Reduction
+from repro.model.tolerances import Between
+from repro.tables.published import Printed
 
 RESOLUTION = 0.001  # rad: the last digit in which most angles of Eqs. (10) and (11) are printed
 TRAVEL = math.dist(START, END)  # rad
@@ -62,7 +62,7 @@ def ahead(claim: str, where: str, best: Measure, *others: Measure) -> Sentence:
         claim=claim,
         where=where,
         printed=FIRST,
-        measure=Place(of=best, others=others),
+        measure=PlaceAmong(of=best, others=others),
         accepted=Between(1, 1),
         in_words=True,
     )

@@ -12,8 +12,8 @@ from papers.smwoa2022.robot import DH, LINKS
 from papers.smwoa2022.sentences import SENTENCES, printed_durations
 from papers.smwoa2022.table_3 import TABLE_3_CLAIMS
 from papers.smwoa2022.table_6 import table_6
-from repro.figures import Arm, ArmMotion, SplineMotion
-from repro.model import Paper, Reading, Source
+from repro.model.figures import Arm, ArmMotion, SplineMotion
+from repro.model.paper import MotionReading, Paper, Source
 
 __all__ = ["PAPER", "SMWOA"]
 
@@ -45,13 +45,13 @@ PAPER = Paper(
     gaps=GAPS,
     relations=RELATIONS,
     together=TOGETHER,
-    readings=(
-        Reading(
+    motion_readings=(
+        MotionReading(
             name="at rest at both ends, Eq. (20) for time",
             of=("trajectory", "UR5"),
             problem=replace(UR5, ends="still"),
         ),
-        Reading(
+        MotionReading(
             name="at rest at both ends, natural spline for time",
             of=("trajectory", "UR5"),
             problem=replace(UR5, ends="still", time_ends="natural"),

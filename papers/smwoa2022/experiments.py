@@ -4,11 +4,11 @@ from dataclasses import replace
 
 from papers.smwoa2022.printed import TABLE_2, TABLE_4, TABLE_5
 from repro.functions import FUNCTIONS, BenchmarkProblem
-from repro.model import Experiment
+from repro.model.experiment import Experiment
+from repro.model.measures.ranks import Contest
 from repro.optimisers import DE, GSA, PSO, SMA, WOA, SlimeWOA
-from repro.published import Printed
-from repro.ranking import Contest
 from repro.robotics import MinimumTimeSpline
+from repro.tables.published import Printed
 
 SMWOA = SlimeWOA(
     control="arctanh",  # Eq. (10)

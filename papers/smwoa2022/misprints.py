@@ -1,6 +1,6 @@
 """SMWOA: where the print cannot be meant, and what the paper keeps to itself."""
 
-from repro.model import Erratum, Gap
+from repro.model.open_points import Erratum, Gap
 
 UNOPTIMISED = Gap(
     what="time of the motion before optimisation (39.526 s)",

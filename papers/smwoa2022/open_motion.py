@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 
 from papers.smwoa2022.table_6 import table_6
-from repro.model import Alternative, Assumption
+from repro.model.paper import Alternative, Assumption
 
 
 def ur5(change: object) -> Mapping[tuple[str, str], object]:

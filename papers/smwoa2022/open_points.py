@@ -7,7 +7,7 @@ from papers.smwoa2022.experiments import FUNCTION_OF
 from papers.smwoa2022.open_motion import MOTION
 from papers.smwoa2022.table_3 import probabilities, ranking
 from repro.functions import FUNCTIONS
-from repro.model import Alternative, Assumption
+from repro.model.paper import Alternative, Assumption
 from repro.optimisers import SlimeWOA
 
 BY_EQUATIONS = SlimeWOA(leader="per whale", spiral_range="symmetric")

@@ -1,6 +1,6 @@
 """SMWOA: the numbers that are printed, as they stand on the page."""
 
-from repro.published import Printed, PublishedTable
+from repro.tables.published import Printed, PublishedTable
 
 TABLE_2 = PublishedTable.read("""
     Table 2, section 3.3

@@ -1,7 +1,7 @@
 """SMWOA: what the printed numbers must be to each other."""
 
 from papers.smwoa2022.printed import BEFORE, TABLE_3, TABLE_6, TIME_SAVED
-from repro.relations import (
+from repro.tables.relations import (
     AverageRank,
     PercentLower,
     PValues,

@@ -1,8 +1,8 @@
 """SMWOA: the UR5, whose links the paper does not print, as its maker describes it."""
 
-from repro.model import Assumption
-from repro.published import PublishedTable
+from repro.model.paper import Assumption
 from repro.robotics import dh_rows
+from repro.tables.published import PublishedTable
 
 MAKERS_TABLE = PublishedTable.read("""
     Table C.3, Universal Robots CB3 service manual, appendix Robot Parameter (UR5 series 3)

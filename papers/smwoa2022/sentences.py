@@ -17,12 +17,12 @@ from papers.smwoa2022.experiments import (
 from papers.smwoa2022.misprints import UNOPTIMISED
 from papers.smwoa2022.printed import AFTER, BEFORE, TABLE_6, TIME_SAVED
 from papers.smwoa2022.table_6 import TIME
-from repro.claims import Sentence
-from repro.measures import Computed, Measure, Rank, Reduction, Statistic
-from repro.published import Printed
-from repro.ranking import Firsts, Place, RankSum, ranked
+from repro.model.claims import Sentence, ranked
+from repro.model.measures.measure import Computed, Measure, Rank, Reduction, Statistic
+from repro.model.measures.ranks import ContestPlace, Firsts, RankSum
+from repro.model.tolerances import Absolute, Between
 from repro.robotics.spline_motion import motion
-from repro.verdict import Absolute, Between
+from repro.tables.published import Printed
 
 TEXT = "section 3.3"
 FIGURE_3 = "section 4.3, Fig. 3"
@@ -65,7 +65,7 @@ def strength(claim: str, functions: tuple[str, ...]) -> Sentence:
         claim=f"{claim} (read as: the lowest mean rank over {', '.join(functions)})",
         where=TEXT,
         printed=FIRST,
-        measure=Place(contest=contest(*functions), algorithm="SMWOA"),
+        measure=ContestPlace(contest=contest(*functions), algorithm="SMWOA"),
         accepted=Between(1, 1),
         in_words=True,
     )

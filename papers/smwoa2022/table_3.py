@@ -4,10 +4,11 @@ from dataclasses import replace
 
 from papers.smwoa2022.experiments import BENCHMARK, F, contest
 from papers.smwoa2022.printed import TABLE_3
-from repro.claims import CellClaim, computed_cells, every_cell
-from repro.measures import Measure
-from repro.ranking import MeanRank, Place, RankSum, Samples
-from repro.verdict import ZERO_STD, Absolute, Fitness, Percent, Tolerance
+from repro.model.claims import CellClaim, computed_cells, every_cell
+from repro.model.measures.measure import Measure
+from repro.model.measures.ranks import ContestPlace, MeanRank, RankSum, Samples
+from repro.model.tolerances import Absolute, Fitness, Percent, Tolerance
+from repro.tables.true_numbers import ZERO_STD
 
 # Declared before any run. A factor of ten near zero, since a table of 30 heavy-tailed runs moves
 # by decades from one batch to the next; a quarter of the value elsewhere, but 1 % for the averages
@@ -58,7 +59,7 @@ def ranking(statistic: str = "mean") -> tuple[CellClaim, ...]:
         return MeanRank(contest=of, algorithm=column)
 
     def place(_row: str, column: str) -> Measure:
-        return Place(contest=of, algorithm=column)
+        return ContestPlace(contest=of, algorithm=column)
 
     return (
         *computed_cells(TABLE_3, measure=mean_rank, within=MEAN_RANK, only=("Average ranking",)),

@@ -2,8 +2,8 @@
 
 from papers.smwoa2022.experiments import TRAJECTORY
 from papers.smwoa2022.printed import TABLE_6
-from repro.claims import CellClaim, every_cell
-from repro.verdict import Percent
+from repro.model.claims import CellClaim, every_cell
+from repro.model.tolerances import Percent
 
 # Declared before any run. Printed to 1 ms; 1 % lets the searches of two programs differ a little.
 TIME = Percent(1)

@@ -8,8 +8,9 @@ from papers.syji.printed import TABLE_1, TABLE_2, TABLE_3, TABLE_4, WHOLE
 from papers.syji.relations import RELATIONS
 from papers.syji.sentences import SENTENCES
 from papers.syji.table_2 import table_2_claims
-from repro.figures import Arm, ArmMotion, Convergence, Motion, ToolPath
-from repro.model import Experiment, Paper, Reading, Source
+from repro.model.experiment import Experiment
+from repro.model.figures import Arm, ArmMotion, Convergence, Motion, ToolPath
+from repro.model.paper import MotionReading, Paper, Source
 from repro.optimisers import WOA
 from repro.robotics import dh_rows
 
@@ -53,13 +54,13 @@ PAPER = Paper(
     gaps=(SERVO,),
     relations=RELATIONS,
     together=TOGETHER,
-    readings=(
-        Reading(
+    motion_readings=(
+        MotionReading(
             name="limits kept, at rest at each position",
             of=("motion", "SYJI-0035"),
             problem=RESTING,
         ),
-        Reading(
+        MotionReading(
             name="limits kept, one polynomial from start to end",
             of=("motion", "SYJI-0035"),
             problem=SEVENTH,

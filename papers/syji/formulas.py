@@ -1,6 +1,6 @@
 """SYJI-0035: the equations that the re-run follows."""
 
-from repro.model import Formula
+from repro.model.paper import Formula
 
 FORMULAS = (
     Formula(

@@ -1,6 +1,6 @@
 """SYJI-0035: what the paper misprints or keeps to itself."""
 
-from repro.model import Erratum, Gap
+from repro.model.open_points import Erratum, Gap
 
 SERVO = Gap(
     what="greatest velocity, acceleration and jerk against what the servo drive allows",

@@ -5,9 +5,9 @@ from collections.abc import Mapping
 from papers.syji.printed import TABLE_3, WHOLE
 from papers.syji.sentences import times
 from papers.syji.table_2 import ACCELERATION_FIRST, table_2_claims
-from repro.model import Alternative, Assumption
+from repro.model.paper import Alternative, Assumption
+from repro.model.tolerances import Absolute
 from repro.optimisers import HybridWOA, SlimeWOA
-from repro.verdict import Absolute
 
 BY_EQUATIONS = HybridWOA(leader="per whale", spiral_range="symmetric")
 

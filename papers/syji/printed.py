@@ -1,6 +1,6 @@
 """SYJI-0035: the numbers that are printed, as they stand on the page."""
 
-from repro.published import Printed, PublishedTable
+from repro.tables.published import Printed, PublishedTable
 
 TABLE_1 = PublishedTable.read("""
     Table 1, section 6R robot modeling

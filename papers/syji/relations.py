@@ -11,11 +11,11 @@ from papers.syji.printed import (
     TOTAL,
     WHOLE,
 )
-from repro.published import Printed, PublishedTable
-from repro.relations import (
-    Difference,
+from repro.tables.published import Printed, PublishedTable
+from repro.tables.relations import (
     EqualSpacing,
     InRange,
+    Less,
     Relation,
     SameNumbers,
     Sum,
@@ -49,7 +49,7 @@ def ranges() -> dict[str, tuple[TextNumber, TextNumber]]:
 KINDS = ("Velocity", "Acceleration", "Jerk")
 RELATIONS: tuple[Relation, ...] = (
     Sum(total=in_text(TOTAL), addends=tuple(in_text(duration) for duration in DURATIONS)),
-    Difference(
+    Less(
         printed=in_text(SAVED),
         before=TextNumber(printed=WHOLE, where="section 6R robot simulation"),
         after=in_text(TOTAL),

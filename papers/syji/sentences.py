@@ -15,14 +15,14 @@ from papers.syji.motions import (
     share_of_limit,
 )
 from papers.syji.printed import DURATIONS, RESULTS, SAVED, TOTAL, WHOLE
-from repro.claims import Sentence
-from repro.measures import Computed, Difference, Reduction, Statistic
-from repro.published import Printed
+from repro.model.claims import Sentence
+from repro.model.measures.measure import Computed, Difference, Reduction, Statistic
+from repro.model.tolerances import Between, Percent
 from repro.robotics import RestToRestLaw, quintic, septic
 from repro.robotics.fastest import fastest_joints
 from repro.robotics.fixed_penalties import cheapest
 from repro.robotics.rest_to_rest import DERIVATIVES
-from repro.verdict import Between, Percent
+from repro.tables.published import Printed
 
 SIMULATION = "section 6R robot simulation"
 

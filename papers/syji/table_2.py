@@ -5,10 +5,10 @@ from functools import partial
 
 from papers.syji.motions import ORDERS
 from papers.syji.printed import TABLE_2, WHOLE
-from repro.claims import CellClaim, computed_cells
-from repro.measures import Computed
+from repro.model.claims import CellClaim, computed_cells
+from repro.model.measures.measure import Computed
+from repro.model.tolerances import RoundedOrCut, Tolerance
 from repro.robotics.rest_to_rest import MinimumTime, peaks
-from repro.verdict import RoundedOrCut, Tolerance
 
 AS_HEADED = {"Maximum velocity": 1, "Maximum acceleration": 2, "Maximum Jerk": 3}
 ACCELERATION_FIRST = {"Maximum velocity": 2, "Maximum acceleration": 1, "Maximum Jerk": 3}

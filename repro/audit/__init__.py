@@ -8,25 +8,21 @@ coincidence or a place to look.
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from repro.audit.blocks import blocks
 from repro.audit.doubles import double_rows
-from repro.audit.inputs import range_rows, same_rows, spacing_rows
-from repro.audit.order import order_rows
 from repro.audit.poses import pose_rows
-from repro.audit.probabilities import p_value_rows
-from repro.audit.ranks import rank_rows
-from repro.audit.repeats import repeat_rows
-from repro.audit.rows import AuditRow, Grade, Place
 from repro.audit.sentences import sentence_rows
-from repro.audit.spread import spread_rows
-from repro.audit.sums import difference_rows, percentage_rows, sum_rows
 from repro.audit.times import time_rows
-from repro.model import Paper
-from repro.relations import (
+from repro.model.paper import Paper
+from repro.tables.blocks import blocks
+from repro.tables.inputs import range_rows, same_rows, spacing_rows
+from repro.tables.order import order_rows
+from repro.tables.probabilities import p_value_rows
+from repro.tables.ranks import rank_rows
+from repro.tables.relations import (
     AverageRank,
-    Difference,
     EqualSpacing,
     InRange,
+    Less,
     PercentLower,
     PrintedPoses,
     PValues,
@@ -34,8 +30,12 @@ from repro.relations import (
     SameNumbers,
     Sum,
 )
+from repro.tables.repeats import repeat_rows
+from repro.tables.rows import AuditRow, CellPlace, Grade
+from repro.tables.spread import spread_rows
+from repro.tables.sums import difference_rows, percentage_rows, sum_rows
 
-__all__ = ["AuditRow", "Grade", "Place", "audit"]
+__all__ = ["AuditRow", "CellPlace", "Grade", "audit"]
 
 
 def audit(paper: Paper) -> tuple[AuditRow, ...]:
@@ -59,7 +59,7 @@ def _rows(paper: Paper) -> Iterator[AuditRow]:
 def _relation_rows(paper: str, relation: Relation) -> Iterator[AuditRow]:
     checks: dict[type, Callable[[str, Any], Iterator[AuditRow]]] = {
         Sum: sum_rows,
-        Difference: difference_rows,
+        Less: difference_rows,
         PercentLower: percentage_rows,
         AverageRank: rank_rows,
         PValues: p_value_rows,

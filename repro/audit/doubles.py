@@ -4,9 +4,9 @@ import math
 from collections.abc import Iterator
 from fractions import Fraction
 
-from repro.audit.blocks import CANCELLING, Block
-from repro.audit.rows import AuditRow, Grade, audit_row
-from repro.audit.spans import Span, exact, shown, span, statistic_span
+from repro.tables.blocks import CANCELLING, Block
+from repro.tables.rows import AuditRow, Grade, audit_row
+from repro.tables.true_numbers import Span, exact, shown, span, statistic_span
 
 CONDITIONS = {
     "ackley": "if the four terms are computed as doubles and then added, in whatever order: near "

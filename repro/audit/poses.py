@@ -8,11 +8,11 @@ from typing import get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from repro.audit.rows import AuditRow, Grade, audit_row
-from repro.audit.spans import span, unit
-from repro.published import UNITS, PublishedTable
-from repro.relations import PrintedPoses, TableCell
 from repro.robotics import Convention, forward_kinematics
+from repro.tables.published import UNITS, PublishedTable
+from repro.tables.relations import PrintedPoses, TableCell
+from repro.tables.rows import AuditRow, Grade, audit_row
+from repro.tables.true_numbers import span, unit
 
 Array = NDArray[np.float64]
 RIGHT_ANGLES = (-math.pi / 2, 0.0, math.pi / 2, math.pi)

@@ -3,12 +3,12 @@
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
-from repro.audit.rows import AuditRow, Grade, audit_row
-from repro.audit.spans import Span, is_scientific, span, statistic_span
-from repro.claims import CellClaim, Sentence
-from repro.measures import Measure, Rank, Statistic
-from repro.model import Paper
-from repro.relations import TableCell
+from repro.model.claims import CellClaim, Sentence
+from repro.model.measures.measure import Measure, Rank, Statistic
+from repro.model.paper import Paper
+from repro.tables.relations import TableCell
+from repro.tables.rows import AuditRow, Grade, audit_row
+from repro.tables.true_numbers import Span, is_scientific, span, statistic_span
 
 Cells = Mapping[Statistic, TableCell]
 

@@ -2,14 +2,14 @@
 
 from collections.abc import Iterator
 
-from repro.audit.rows import AuditRow, Grade, audit_row
-from repro.audit.spans import DOUBLES, exact, factor, shown, span, times
-from repro.certify import certify
-from repro.claims import CellClaim, Claim
-from repro.measures import Statistic
-from repro.model import Paper
-from repro.published import UNITS
-from repro.relations import Number, TableCell, TextNumber
+from repro.judge.certificates import certify
+from repro.model.claims import CellClaim, Claim
+from repro.model.measures.measure import Statistic
+from repro.model.paper import Paper
+from repro.tables.published import UNITS
+from repro.tables.relations import Number, TableCell, TextNumber
+from repro.tables.rows import AuditRow, Grade, audit_row
+from repro.tables.true_numbers import DOUBLES, exact, factor, shown, span, times
 
 
 def time_rows(paper: Paper) -> Iterator[AuditRow]:

@@ -9,7 +9,7 @@ import math
 
 import numpy as np
 
-from repro.compiled import jit
+from repro.determinism.compiled import jit
 from repro.functions.function import Function
 
 _YAO = "Yao, Liu & Lin (1999)"

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from repro.compiled import COST, ready
+from repro.determinism.compiled import COST, ready
 from repro.errors import InputError
 
 Vector = NDArray[np.float64]

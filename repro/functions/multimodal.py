@@ -8,9 +8,9 @@ arXiv:1308.4008 (2013), has it.
 
 import math
 
-from repro.compiled import jit
+from repro.determinism.compiled import jit
+from repro.determinism.sines import cosine_of_turns
 from repro.functions.function import Function
-from repro.waves import cosine_of_turns
 
 _YAO = "Yao, Liu & Lin (1999)"
 

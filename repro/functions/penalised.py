@@ -6,9 +6,9 @@ Computation 3(2) (1999) 82-102, doi:10.1109/4235.771163.
 
 import math
 
-from repro.compiled import jit
+from repro.determinism.compiled import jit
+from repro.determinism.sines import squared_sine
 from repro.functions.function import Function
-from repro.waves import squared_sine
 
 _YAO = "Yao, Liu & Lin (1999)"
 

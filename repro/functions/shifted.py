@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from repro.compiled import COST, jit, ready
+from repro.determinism.compiled import COST, jit, ready
+from repro.determinism.seeds import generator
+from repro.determinism.source_digests import source_digest
 from repro.errors import InputError
 from repro.functions.function import BenchmarkProblem
-from repro.seeds import generator
-from repro.sources import source_digest
 
 Vector = NDArray[np.float64]
 LEAST_STEP = 0.5  # of the share, in every coordinate: none is left near the centre

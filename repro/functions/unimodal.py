@@ -4,7 +4,7 @@ X. Yao, Y. Liu, G. Lin, Evolutionary programming made faster, IEEE Transactions 
 Computation 3(2) (1999) 82-102, doi:10.1109/4235.771163.
 """
 
-from repro.compiled import jit
+from repro.determinism.compiled import jit
 from repro.functions.function import Function
 
 _YAO = "Yao, Liu & Lin (1999)"

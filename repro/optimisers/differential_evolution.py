@@ -15,8 +15,8 @@ from typing import Unpack
 
 import numpy as np
 
-from repro.compiled import jit
-from repro.draws import below, fill
+from repro.determinism.compiled import jit
+from repro.determinism.draws import below, fill
 from repro.errors import InputError
 from repro.optimisers.population import copy_into, uniform_population
 from repro.optimisers.search import Budget, Problem, Result, Spending, search

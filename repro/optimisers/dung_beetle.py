@@ -20,8 +20,8 @@ from typing import Literal, Unpack
 
 import numpy as np
 
-from repro.compiled import jit
-from repro.draws import below, normal, uniform
+from repro.determinism.compiled import jit
+from repro.determinism.draws import below, normal, uniform
 from repro.errors import InputError
 from repro.optimisers.choices import check_choices
 from repro.optimisers.population import clip, copy_into, uniform_population

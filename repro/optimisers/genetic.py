@@ -19,8 +19,8 @@ from typing import Unpack
 
 import numpy as np
 
-from repro.compiled import jit
-from repro.draws import uniform
+from repro.determinism.compiled import jit
+from repro.determinism.draws import uniform
 from repro.errors import InputError
 from repro.optimisers.population import clip, copy_into, uniform_population
 from repro.optimisers.search import Budget, Problem, Result, Spending, search

@@ -19,8 +19,8 @@ from typing import Unpack, get_args
 
 import numpy as np
 
-from repro.compiled import jit
-from repro.draws import uniform
+from repro.determinism.compiled import jit
+from repro.determinism.draws import uniform
 from repro.errors import InputError
 from repro.optimisers.choices import check_choices
 from repro.optimisers.population import BoundsRule, copy_into, hold, uniform_population

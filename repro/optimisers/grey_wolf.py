@@ -11,8 +11,8 @@ from typing import Unpack
 
 import numpy as np
 
-from repro.compiled import jit
-from repro.draws import fill
+from repro.determinism.compiled import jit
+from repro.determinism.draws import fill
 from repro.optimisers.population import copy_into, uniform_population
 from repro.optimisers.search import Budget, Problem, Result, search
 

@@ -15,14 +15,14 @@ from typing import Any, Literal, Self, Unpack, get_args
 
 import numpy as np
 
-from repro.compiled import jit
-from repro.draws import below, normal, uniform
+from repro.determinism.compiled import jit
+from repro.determinism.draws import below, normal, uniform
+from repro.determinism.sines import cosine_of_turns
 from repro.errors import InputError
 from repro.optimisers.choices import check_choices
 from repro.optimisers.population import BoundsRule, copy_into, hold, some_of
 from repro.optimisers.search import Budget, Problem, Result, Spending, search
 from repro.optimisers.tent_map import STARTS, Start, started, tent
-from repro.waves import cosine_of_turns
 
 _LEAST = 4  # rand/1/bin needs three whales besides the one that it changes
 

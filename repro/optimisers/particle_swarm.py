@@ -12,8 +12,8 @@ from typing import Literal, Unpack
 
 import numpy as np
 
-from repro.compiled import jit
-from repro.draws import fill
+from repro.determinism.compiled import jit
+from repro.determinism.draws import fill
 from repro.optimisers.choices import check_choices
 from repro.optimisers.population import clip, copy_into, uniform_population
 from repro.optimisers.search import Budget, Problem, Result, search

@@ -4,8 +4,8 @@ from typing import Literal
 
 import numpy as np
 
-from repro.compiled import jit
-from repro.draws import below, drawn, held, put_back, uniform
+from repro.determinism.compiled import jit
+from repro.determinism.draws import below, drawn, held, put_back, uniform
 
 BoundsRule = Literal["clip", "re-initialise", "reflect"]
 """What becomes of a coordinate outside the box; see `hold`."""

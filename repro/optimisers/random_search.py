@@ -9,8 +9,8 @@ from typing import Unpack
 
 import numpy as np
 
-from repro.compiled import jit
-from repro.draws import uniform
+from repro.determinism.compiled import jit
+from repro.determinism.draws import uniform
 from repro.optimisers.population import copy_into
 from repro.optimisers.search import Budget, Problem, Result, search
 

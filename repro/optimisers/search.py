@@ -7,8 +7,8 @@ from typing import Any, NotRequired, Protocol, TypedDict, Unpack
 import numpy as np
 from numpy.typing import NDArray
 
-from repro.compiled import COST, SEARCH, ready
-from repro.draws import state_from
+from repro.determinism.compiled import COST, SEARCH, ready
+from repro.determinism.draws import state_from
 from repro.errors import InputError
 
 Vector = NDArray[np.float64]
@@ -109,6 +109,13 @@ def search(
         state_from(rng),
     )
     return Result(x=x, cost=float(best), history=history, evaluations=int(spent))
+
+
+def value(kernel: Any, data: Vector, x: Vector) -> float:  # noqa: ANN401
+    """Return the cost of a point, shape (n,), by a kernel that is compiled or plain Python."""
+    if hasattr(kernel, "signatures"):
+        kernel = ready(kernel, COST)
+    return float(kernel(np.ascontiguousarray(x, dtype=np.float64), data))
 
 
 def _iterations(cost: Spending, *, iterations: int | None, evaluations: int | None) -> int:

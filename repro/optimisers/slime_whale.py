@@ -18,13 +18,13 @@ from typing import Any, Literal, Self, Unpack, get_args
 
 import numpy as np
 
-from repro.compiled import jit
-from repro.draws import below, uniform
+from repro.determinism.compiled import jit
+from repro.determinism.draws import below, uniform
+from repro.determinism.sines import cosine_of_turns
 from repro.errors import InputError
 from repro.optimisers.choices import check_choices
 from repro.optimisers.population import BoundsRule, copy_into, hold, uniform_population
 from repro.optimisers.search import Budget, Problem, Result, search
-from repro.waves import cosine_of_turns
 
 Control = Literal["linear", "arctanh"]
 Weight = Literal["none", "of the whale", "of the leader"]

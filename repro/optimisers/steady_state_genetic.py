@@ -18,8 +18,8 @@ from typing import Literal, Unpack, get_args
 
 import numpy as np
 
-from repro.compiled import jit
-from repro.draws import below, uniform
+from repro.determinism.compiled import jit
+from repro.determinism.draws import below, uniform
 from repro.errors import InputError
 from repro.optimisers.choices import check_choices
 from repro.optimisers.population import copy_into, uniform_population

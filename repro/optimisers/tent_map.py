@@ -4,8 +4,8 @@ from typing import Literal, get_args
 
 import numpy as np
 
-from repro.compiled import jit
-from repro.draws import uniform
+from repro.determinism.compiled import jit
+from repro.determinism.draws import uniform
 from repro.optimisers.population import uniform_population
 
 Start = Literal["uniform", "tent", "tent across", "tent chain"]

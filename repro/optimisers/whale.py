@@ -16,11 +16,11 @@ from typing import Unpack
 
 import numpy as np
 
-from repro.compiled import jit
-from repro.draws import drawn, drawn_below, held, put_back
+from repro.determinism.compiled import jit
+from repro.determinism.draws import drawn, drawn_below, held, put_back
+from repro.determinism.sines import cosine_of_turns
 from repro.optimisers.population import copy_into, uniform_population
 from repro.optimisers.search import Budget, Problem, Result, search
-from repro.waves import cosine_of_turns
 
 
 @jit

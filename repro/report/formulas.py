@@ -11,7 +11,7 @@ from latex2mathml.converter import convert_to_element
 from markupsafe import Markup, escape
 
 from repro.errors import DeclarationError
-from repro.model import Formula
+from repro.model.paper import Formula
 from repro.report.words import anchor, raised
 
 _ELEMENTS = {

@@ -8,20 +8,18 @@ from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescap
 from markupsafe import Markup
 
 from repro.audit import audit
-from repro.certify import certify
-from repro.evidence import Evidence
-from repro.findings import LEVEL, Finding, judge_paper
-from repro.measures import TABLES
-from repro.model import Paper
-from repro.optimum import found_times, time_rows
-from repro.plan import Task
-from repro.readings import fingerprints, reached, varied_evidence
-from repro.report.arm_viewer import viewer
-from repro.report.baselines_view import baselines_view
-from repro.report.drawing import Drawing, draw
+from repro.judge.certificates import certify
+from repro.judge.findings import LEVEL, Finding, judge_paper
+from repro.judge.other_readings import evidence_under_readings, fingerprints, reached
+from repro.judge.times_found import found_times, time_rows
+from repro.judge.verdict import Verdict
+from repro.model.evidence import Evidence
+from repro.model.measures.measure import TABLES
+from repro.model.paper import Paper
+from repro.report.drawings.arm_viewer import viewer
+from repro.report.drawings.draw import Drawing, draw
 from repro.report.files import csv_text, usable_folder, write_file
 from repro.report.formulas import dollars, equation_links, formula_anchor, mathml, powers_of_ten
-from repro.report.readings_view import readings_view
 from repro.report.results import (
     Json,
     merged,
@@ -31,14 +29,16 @@ from repro.report.results import (
     results_text,
     verdict_counts,
 )
-from repro.report.runs_view import runs_view
-from repro.report.search import search_rows
-from repro.report.view import Shown, everything, table_view, tallies
+from repro.report.views.baselines import baselines_view
+from repro.report.views.findings import Shown, everything, table_view, tallies
+from repro.report.views.readings import readings_view
+from repro.report.views.runs import runs_view
+from repro.report.views.search_box import search_rows
 from repro.report.words import MEANINGS, SYMBOLS, again_command, anchor, markdown_cell, number
-from repro.session import gather
-from repro.store import Store
-from repro.studies import Study, kinds_of, studies
-from repro.verdict import Verdict
+from repro.runs.plan import Task
+from repro.runs.session import gather
+from repro.runs.store.store import Store
+from repro.runs.studies import Study, kinds_of, studies
 
 Files = dict[str, str]
 ANOTHER_SEED = "another-seed.json"
@@ -93,7 +93,7 @@ def _paper_files(
     evidence: Evidence, others: Sequence[Study], provenance: Mapping[str, object], files: Files
 ) -> Json:
     paper = evidence.paper
-    varied = varied_evidence(evidence)
+    varied = evidence_under_readings(evidence)
     findings = judge_paper(evidence, varied)
     rows = audit(paper)
     certificates = certify(paper)

@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import Any
 
 from repro.audit import AuditRow
-from repro.certify import Certificate
-from repro.findings import Finding
-from repro.model import Assumption, Paper
+from repro.judge.certificates import Certificate
+from repro.judge.findings import Finding
+from repro.model.paper import Assumption, Paper
 
 SCHEMA = 1
 Json = dict[str, Any]

@@ -14,10 +14,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import repro
-from repro.plan import Task
-from repro.provenance import provenance
+from repro.determinism.provenance import provenance
 from repro.report.files import write_file
-from repro.store import Store
+from repro.runs.plan import Task
+from repro.runs.store.store import Store
 
 _NAME = "pages"
 _OF_THE_DAY = ("date", "commit")  # what the provenance of a call says besides its machine

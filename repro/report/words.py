@@ -7,8 +7,8 @@ from collections.abc import Iterable
 
 from markupsafe import Markup, escape
 
-from repro.published import Printed
-from repro.verdict import Verdict
+from repro.judge.verdict import Verdict
+from repro.tables.published import Printed
 
 SYMBOLS = {
     Verdict.REPRODUCED: "✔",

@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from repro.compiled import jit
+from repro.determinism.compiled import jit
 from repro.errors import DeclarationError
 from repro.robotics.polynomial_curves import QUANTITIES, values
 from repro.robotics.polynomials import RestToRestLaw

@@ -10,7 +10,7 @@ from typing import Any, Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from repro.compiled import jit
+from repro.determinism.compiled import jit
 from repro.errors import DeclarationError
 from repro.robotics.motion_checks import check_motion
 from repro.robotics.polynomials import RestToRestLaw

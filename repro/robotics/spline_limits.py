@@ -8,7 +8,7 @@ sampled. A quadratic is given by its coefficients of 1, u and u².
 
 import math
 
-from repro.compiled import jit
+from repro.determinism.compiled import jit
 
 _OUTSIDE = -1.0  # stands for a root that is not real
 _HALVINGS = 54  # of a piece of [0, 1], until its ends are neighbouring doubles

@@ -13,7 +13,7 @@ from typing import Any, Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from repro.compiled import jit
+from repro.determinism.compiled import jit
 from repro.errors import DeclarationError
 from repro.robotics.bsplines import Ends, Matrix, sample, span_weights, spans
 from repro.robotics.motion_checks import check_motion

@@ -5,13 +5,14 @@ from dataclasses import replace
 from pathlib import Path
 
 from repro.__main__ import all_papers
-from repro.claims import every_cell, lowest_everywhere
-from repro.model import Experiment, Paper
-from repro.plan import plan
+from repro.model.claims import every_cell, lowest_everywhere
+from repro.model.experiment import Experiment
+from repro.model.paper import Paper
+from repro.model.tolerances import Percent
 from repro.report.pages import write_report
-from repro.session import run_missing
-from repro.store import Store
-from repro.verdict import Percent
+from repro.runs.plan import plan
+from repro.runs.session import run_missing
+from repro.runs.store.store import Store
 from tests.doe2021 import COSTS, MOTION, TEST
 from tests.doe2021 import PAPER as DOE
 from tests.made_up import ENVIRONMENT

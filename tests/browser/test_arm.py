@@ -11,9 +11,9 @@ import pytest
 from matplotlib.image import imread
 from numpy.typing import NDArray
 
-from repro.plan import plan
 from repro.report.pages import write_report
-from repro.store import Store
+from repro.runs.plan import plan
+from repro.runs.store.store import Store
 from tests.browser.conftest import of_extra
 from tests.small_arms import SHOWING_AN_ARM
 

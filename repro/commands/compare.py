@@ -1,0 +1,118 @@
+"""A user's search under every protocol, and a private report of where it stands."""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from repro.determinism.provenance import provenance
+from repro.errors import InputError
+from repro.judge.certificates import certify
+from repro.model.paper import Paper
+from repro.optimisers.libraries import BASELINES
+from repro.optimisers.users_search import Entrant, entrant
+from repro.report.files import usable_folder, write_file
+from repro.report.pages import render
+from repro.report.views.users_search import Comparison, comparison
+from repro.report.words import anchor
+from repro.runs.plan import Task, plan
+from repro.runs.run import Record
+from repro.runs.session import gather, run_missing
+from repro.runs.store.store import Store
+from repro.runs.studies import PER_STUDY, studies
+from repro.runs.workers.local import local
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Compared:
+    """The page of a comparison, and the runs that failed."""
+
+    page: Path
+    failed: tuple[Record, ...]
+
+
+def compare(
+    place: str,
+    papers: Sequence[Paper],
+    *,
+    name: str | None,
+    repeats: int,
+    store: Path,
+    folder: Path,
+    workers: int,
+    report: Callable[[int, int], None],
+) -> Compared:
+    """Run the search at a place under the papers' protocols and write its private report.
+
+    Raises InputError for a place, name or folder that cannot be used.
+    """
+    found = entrant(place)
+    called = _checked_name(place.rpartition(":")[2] if name is None else name, papers)
+    _refuse_published(folder)
+    own = {paper.key: entered(paper, called, found) for paper in papers}
+    tasks = [task for task in plan(own.values(), repeats) if task.algorithm == called]
+    usable_folder(folder)
+    with Store(store) as opened:
+        with local(workers) as executor:
+            failed = run_missing(
+                opened, tasks, executor=executor, workers=workers,
+                environment=provenance, report=report,
+            )  # fmt: skip
+        compared = [
+            (paper, _comparisons(opened, paper, own[paper.key], tasks, called)) for paper in papers
+        ]
+    context = {"name": called, "place": place, "repeats": repeats, "papers": compared,
+               "failed": [(record.task.name, record.reason) for record in failed]}  # fmt: skip
+    return Compared(page=_written(folder, called, context), failed=tuple(failed))
+
+
+def _written(folder: Path, name: str, context: Mapping[str, object]) -> Path:
+    """Write the report as HTML and Markdown, and return the former's path."""
+    stem = anchor(name) or "search"
+    for suffix in ("md", "html"):
+        write_file(folder / f"{stem}.{suffix}", render(f"compare.{suffix}", context))
+    return folder / f"{stem}.html"
+
+
+def entered(paper: Paper, name: str, found: Entrant) -> Paper:
+    """Return the paper's protocols with the user's search alone, and no claims."""
+    experiments = tuple(
+        replace(experiment, algorithms={name: found}, proposed=name)
+        for experiment in paper.experiments
+    )
+    bare = replace(paper, results=(), claims=(), assumptions=(), together=(), figures=())
+    return replace(bare, experiments=experiments)
+
+
+def _comparisons(
+    store: Store, paper: Paper, own: Paper, tasks: Iterable[Task], name: str
+) -> tuple[Comparison, ...]:
+    published = gather(store, paper, plan([paper], PER_STUDY), studies(paper, PER_STUDY))
+    runs = {**published.runs, **gather(store, own, tasks).runs}
+    certificates = certify(paper)
+    return tuple(
+        comparison(paper, experiment, runs, certificates, name=name)
+        for experiment in paper.experiments
+    )
+
+
+def _checked_name(name: str, papers: Iterable[Paper]) -> str:
+    taken = {
+        algorithm
+        for paper in papers
+        for experiment in paper.experiments
+        for algorithm in (*experiment.algorithms, *BASELINES)
+    }
+    if name in taken:
+        message = f"the name {name!r} belongs to another algorithm: choose one with --name"
+        raise InputError(message)
+    if not name.strip() or "/" in name or not name.isprintable():
+        message = f"the name {name!r} must be printable, with no '/': choose one with --name"
+        raise InputError(message)
+    return name
+
+
+def _refuse_published(folder: Path) -> None:
+    """Raise InputError for a folder of published pages, which a private report must not enter."""
+    if (folder / "results.json").exists() or folder.resolve() == Path("reports").resolve():
+        message = f"the folder {folder} holds published pages: choose another with --reports"
+        raise InputError(message)

@@ -1,0 +1,1 @@
+"""What makes the same bits come out again: seeds, draws, compilation, digests, provenance."""

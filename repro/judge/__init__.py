@@ -1,0 +1,1 @@
+"""Conclusions as data: findings, readings, certificates, standings."""

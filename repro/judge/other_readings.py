@@ -1,0 +1,129 @@
+"""What the runs under other readings of a paper say of its numbers."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from repro.judge.findings import EvidenceUnder, Finding
+from repro.judge.verdict import Verdict
+from repro.model.claims import CellClaim, Claim
+from repro.model.evidence import Cell, Evidence, Runs
+from repro.model.measures.measure import Statistic
+from repro.runs.readings import Reading, applied, changed_part, claims_under, readings
+from repro.runs.studies import study_name
+from repro.tables.published import UNITS
+
+FARTHEST = 400.0  # decades: farther than any two positive doubles, for a 0 against a number
+AS_CHOSEN = "as chosen"
+
+
+def evidence_under_readings(evidence: Evidence) -> tuple[EvidenceUnder, ...]:
+    """Return the paper under each of its readings whose runs are all there."""
+    found = (_varied(evidence, reading) for reading in readings(evidence.paper))
+    return tuple(varied for varied in found if varied)
+
+
+def _varied(evidence: Evidence, reading: Reading) -> EvidenceUnder | None:
+    experiments = []
+    runs: dict[Cell, Runs] = {}
+    for experiment in evidence.paper.experiments:
+        part = changed_part(experiment, reading)
+        if part is None:
+            continue
+        experiments.append(applied(experiment, reading))
+        name = study_name(experiment.name, reading.touching(experiment.name).name)
+        for problem in part.problems:
+            for algorithm in part.algorithms:
+                if (name, problem, algorithm) not in evidence.runs:
+                    return None
+                runs[experiment.name, problem, algorithm] = evidence.runs[name, problem, algorithm]
+    return EvidenceUnder(
+        reading=reading,
+        claims=claims_under(evidence.paper, reading),
+        evidence=evidence.under(experiments, runs),
+        changed=frozenset(runs),
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Print:
+    """How far a printed column is from the re-run under each reading, nearest first.
+
+    A distance is the mean of |log10(measured / printed)| over the numbers of the column, in
+    decades. `chosen` is that of the reading that the re-run follows.
+    """
+
+    table: str
+    column: str
+    numbers: int
+    chosen: float
+    others: tuple[tuple[str, float], ...]
+
+    @property
+    def nearest(self) -> str:
+        """The reading that comes nearest to the column."""
+        if self.others and self.others[0][1] < self.chosen:
+            return self.others[0][0]
+        return AS_CHOSEN
+
+
+def fingerprints(evidence: Evidence, others: Iterable[EvidenceUnder]) -> tuple[Print, ...]:
+    """Return the distance of each printed column of measured numbers under each reading.
+
+    No reading is chosen because it is near.
+    """
+    varied = tuple(others)
+    columns: dict[tuple[str, str], list[int]] = {}
+    for position, claim in enumerate(evidence.paper.claims):
+        if isinstance(claim, CellClaim) and isinstance(claim.measure, Statistic):
+            columns.setdefault((claim.table.label, claim.column), []).append(position)
+    found = []
+    for (table, column), positions in columns.items():
+        own = [evidence.paper.claims[position] for position in positions]
+        chosen = _distance(own, evidence)
+        distances = [
+            (other.reading.name, _distance([other.claims[p] for p in positions], other.evidence))
+            for other in varied
+            if any(_cells(other.claims[p]) & other.changed for p in positions)
+        ]
+        found.append(
+            Print(
+                table=table,
+                column=column,
+                numbers=len(positions),
+                chosen=chosen,
+                others=tuple(sorted(distances, key=lambda pair: pair[1])),
+            )
+        )
+    return tuple(found)
+
+
+def _cells(claim: Claim) -> frozenset[Cell]:
+    return frozenset(claim.measure.cells() if claim.measure else ())
+
+
+def _distance(claims: Sequence[Claim], evidence: Evidence) -> float:
+    """Return the mean distance in decades; nan where a cell was not run."""
+    return float(np.mean([_decades(claim, evidence) for claim in claims]))
+
+
+def _decades(claim: Claim, evidence: Evidence) -> float:
+    if claim.measure is None or not _cells(claim) <= evidence.runs.keys():
+        return float("nan")
+    median = float(np.median(claim.measure.measure(evidence).draws)) / UNITS[claim.printed.unit]
+    printed = claim.printed.value
+    if median == printed:
+        return 0.0
+    if np.sign(median) != np.sign(printed):
+        return FARTHEST
+    return float(min(abs(np.log10(abs(median)) - np.log10(abs(printed))), FARTHEST))
+
+
+def reached(finding: Finding) -> tuple[str, ...]:
+    """Return the readings under which a contradicted number is not contradicted."""
+    return tuple(
+        outcome.reading
+        for outcome in finding.readings
+        if outcome.verdict is not Verdict.CONTRADICTED
+    )

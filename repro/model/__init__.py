@@ -1,0 +1,79 @@
+"""All that a paper module says, in one import."""
+
+from repro.model.claims import (
+    CellClaim,
+    Claim,
+    Role,
+    Sentence,
+    computed_cells,
+    every_cell,
+    lowest_everywhere,
+    ranked,
+    says,
+    says_in_words,
+)
+from repro.model.experiment import Experiment
+from repro.model.figures import (
+    Arm,
+    ArmMotion,
+    Convergence,
+    Figure,
+    JointCurves,
+    Motion,
+    SplineMotion,
+    ToolPath,
+)
+from repro.model.measures.curves import (
+    Combination,
+    Effort,
+    PlaceAmong,
+    Sensitivity,
+    Together,
+    planned,
+)
+from repro.model.measures.measure import (
+    Computed,
+    Difference,
+    Measure,
+    Measured,
+    Rank,
+    Reduction,
+    Statistic,
+    computed,
+    runs_of,
+)
+from repro.model.measures.ranks import Contest, ContestPlace, Firsts, MeanRank, RankSum, Samples
+from repro.model.open_points import Erratum, Gap
+from repro.model.paper import Alternative, Assumption, Formula, MotionReading, Paper, Source
+from repro.model.prose import Prose, prose
+from repro.model.tolerances import (
+    Absolute,
+    Between,
+    Fitness,
+    Interval,
+    Percent,
+    RoundedOrCut,
+    Tolerance,
+)
+from repro.model.woa_readings import WOA_BY_EQUATIONS, WOA_READINGS, everywhere, woa_readings
+from repro.tables.published import NOTHING, UNITS, Printed, PublishedTable
+from repro.tables.relations import (
+    AverageRank,
+    EqualSpacing,
+    InRange,
+    Less,
+    Number,
+    PercentLower,
+    PrintedPoses,
+    PValues,
+    Relation,
+    SameNumbers,
+    Sum,
+    TableCell,
+    TextNumber,
+    column_cells,
+    equally_spaced,
+    row_cells,
+    row_sums,
+)
+from repro.tables.true_numbers import ZERO_FITNESS, ZERO_STD

@@ -1,0 +1,227 @@
+"""Claims: one printed number or one sentence, what to measure for it, and what is accepted."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from typing import Literal
+
+from repro.errors import DeclarationError
+from repro.model.experiment import Experiment
+from repro.model.measures.measure import Measure, Rank, Statistic
+from repro.model.measures.ranks import Contest
+from repro.model.open_points import Gap
+from repro.model.tolerances import Between, Tolerance
+from repro.statistics.summary import STATISTICS
+from repro.tables.published import Printed, PublishedTable
+
+Role = Literal["problem", "algorithm", "statistic", "quantity"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CellClaim:
+    """One cell of a printed table."""
+
+    table: PublishedTable
+    row: str
+    column: str
+    measure: Measure
+    accepted: Tolerance
+
+    @property
+    def printed(self) -> Printed:
+        """The number as it stands in the table."""
+        return self.table[self.row, self.column]
+
+    @property
+    def where(self) -> str:
+        """The place on the page."""
+        return self.table.where
+
+    @property
+    def place(self) -> tuple[str, str, str] | None:
+        """Table, row and column."""
+        return self.table.label, self.row, self.column
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Sentence:
+    """One statement of the text, in our words; `measure` is None where a Gap says why.
+
+    A statement that is made `in_words` prints no number: `printed` then holds the unit and the
+    number that its declared reading comes closest to, and the pages do not show it as printed.
+    """
+
+    claim: str
+    where: str
+    printed: Printed
+    measure: Measure | None
+    accepted: Tolerance
+    gap: Gap | None = None
+    in_words: bool = False
+
+    def __post_init__(self) -> None:
+        """Raise DeclarationError unless there is either a measure or a gap."""
+        if (self.measure is None) == (self.gap is None):
+            message = f"claim {self.claim!r} needs either a measure or a Gap that says why not"
+            raise DeclarationError(message)
+
+    @property
+    def place(self) -> tuple[str, str, str] | None:
+        """Nothing: a sentence stands in no table."""
+        return None
+
+
+Claim = CellClaim | Sentence
+
+
+def every_cell(
+    table: PublishedTable,
+    *,
+    of: Experiment,
+    rows: tuple[Role, ...],
+    columns: Role,
+    within: Tolerance,
+    std_within: Tolerance | None = None,
+    given: Mapping[Role, str] | None = None,
+    names: Mapping[str, str] | None = None,
+    only: tuple[str, ...] | None = None,
+) -> tuple[CellClaim, ...]:
+    """Return a claim on the statistic that each cell prints.
+
+    `rows` says what each row heading names, `columns` what the column heading names, `given` what
+    neither names, `names` translates a printed heading; `only` keeps some row names. Raises
+    DeclarationError where a heading names nothing that the experiment has.
+    """
+    if len(rows) != len(table.headings):
+        message = f"{table.label} has the row headings {table.headings}, not one per {rows}"
+        raise DeclarationError(message)
+    claims = []
+    headings_of = dict(zip(table.row_names, table.rows, strict=True))
+    for row, column in table.places():
+        if only is None or row in only:
+            words = dict(given or {})
+            for role, word in zip((*rows, columns), (*headings_of[row], column), strict=True):
+                words[role] = (names or {}).get(word, word)
+            measure = _statistic(f"{table.label}, row {row!r}, column {column!r}", of, words)
+            accepted = std_within if measure.statistic == "std" and std_within else within
+            claims.append(
+                CellClaim(table=table, row=row, column=column, measure=measure, accepted=accepted)
+            )
+    return tuple(claims)
+
+
+def says(
+    claim: str, where: str, printed: Printed, measure: Measure | Gap, *, within: Tolerance
+) -> Sentence:
+    """Return the claim of a sentence that prints a number; a Gap where it cannot be measured."""
+    gap = measure if isinstance(measure, Gap) else None
+    return Sentence(
+        claim=claim,
+        where=where,
+        printed=printed,
+        measure=None if isinstance(measure, Gap) else measure,
+        accepted=within,
+        gap=gap,
+    )
+
+
+def says_in_words(
+    claim: str, where: str, nearest: str, measure: Measure | Gap, *, within: Tolerance
+) -> Sentence:
+    """Return the claim of a sentence without a number; `nearest` is what it comes closest to.
+
+    That is a number and its unit, as "1 rank" or "100 %".
+    """
+    return replace(
+        says(claim, where, Printed(*nearest.split()), measure, within=within), in_words=True
+    )
+
+
+def computed_cells(
+    table: PublishedTable,
+    *,
+    measure: Callable[[str, str], Measure],
+    within: Tolerance,
+    only: tuple[str, ...] | None = None,
+) -> tuple[CellClaim, ...]:
+    """Return a claim per cell, measured by what `measure` makes of its (row, column)."""
+    return tuple(
+        CellClaim(
+            table=table, row=row, column=column, measure=measure(row, column), accepted=within
+        )
+        for row, column in table.places()
+        if only is None or row in only
+    )
+
+
+def lowest_everywhere(
+    of: Experiment,
+    *,
+    algorithm: str,
+    statistic: str,
+    claim: str,
+    where: str,
+    quantity: str = "cost",
+) -> tuple[Sentence, ...]:
+    """Return one claim per problem: the algorithm's statistic is the lowest, or shares that place.
+
+    `claim` is the sentence in our words; the problem is added to it.
+    """
+    return tuple(
+        Sentence(
+            claim=f"{claim}, on {problem}",
+            where=where,
+            printed=Printed("1", "rank"),
+            measure=Rank(
+                of=Statistic(
+                    experiment=of.name,
+                    problem=problem,
+                    algorithm=algorithm,
+                    statistic=statistic,
+                    quantity=quantity,
+                ),
+                among=tuple(of.algorithms),
+            ),
+            accepted=Between(1, 1),
+            in_words=True,
+        )
+        for problem in of.problems
+    )
+
+
+def ranked(
+    of: Contest, *, algorithm: str, places: Mapping[str, int], claim: str, where: str
+) -> tuple[Sentence, ...]:
+    """Return one claim per problem named in `places`: the algorithm has that place there."""
+    return tuple(
+        Sentence(
+            claim=f"{claim}, on {problem}: place {place}",
+            where=where,
+            printed=Printed(f"{place}", "rank"),
+            measure=Rank(
+                of=of.statistics(problem)[of.of(algorithm)],
+                among=of.algorithms,
+            ),
+            accepted=Between(place, place),
+            in_words=True,
+        )
+        for problem, place in places.items()
+    )
+
+
+def _statistic(place: str, of: Experiment, words: Mapping[Role, str]) -> Statistic:
+    known: dict[Role, tuple[str, ...]] = {
+        "problem": tuple(of.problems),
+        "algorithm": tuple(of.algorithms),
+        "statistic": tuple(STATISTICS),
+    }
+    for role, names in known.items():
+        if words.get(role) not in names:
+            message = f"{place}: {role} {words.get(role)!r} is none of {', '.join(names)}"
+            raise DeclarationError(message)
+    return Statistic(
+        experiment=of.name,
+        problem=words["problem"],
+        algorithm=words["algorithm"],
+        statistic=words["statistic"],
+        quantity=words.get("quantity", "cost"),
+    )

@@ -1,0 +1,131 @@
+"""What the runs of one paper say, arranged for judging."""
+
+import re
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from functools import partial
+from typing import Any, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from repro.errors import DeclarationError
+from repro.model.experiment import Experiment
+
+Vector = NDArray[np.float64]
+Cell = tuple[str, str, str]
+T = TypeVar("T")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Runs:
+    """Every run of one algorithm on one problem.
+
+    `costs` (repeats, runs), `points` (repeats, runs, n), `histories` (repeats, runs, iterations),
+    of the first repeat alone where no claim follows the searches themselves; `evaluations` and
+    median `seconds` of one run.
+    """
+
+    costs: Vector
+    points: Vector
+    histories: Vector
+    evaluations: int
+    seconds: float = 0.0
+    part_of: "tuple[Runs, slice] | None" = None
+    known: dict[str, Vector] = field(default_factory=dict, compare=False, repr=False)
+
+    def repeats(self, which: slice) -> "Runs":
+        """Return some of the repeats."""
+        return replace(
+            self,
+            costs=self.costs[which],
+            points=self.points[which],
+            histories=self.histories[which],
+            part_of=(self, which),
+            known={},
+        )
+
+    def measured(self, quantity: str, measure: Callable[[Vector], Vector]) -> Vector:
+        """Return what `measure` makes of the points, made once for all that ask, and for parts."""
+        if self.part_of:
+            whole, which = self.part_of
+            return whole.measured(quantity, measure)[which]
+        if quantity not in self.known:
+            self.known[quantity] = measure(self.points)
+        return self.known[quantity]
+
+
+@dataclass(frozen=True, slots=True)
+class Evidence:
+    """Runs by (experiment, problem, algorithm); a cell that was not run whole is absent.
+
+    `key` is the paper's; of two `experiments` with one name the first counts. What is measured is
+    remembered, since many claims share it.
+    """
+
+    key: str
+    experiments: tuple[Experiment, ...]
+    runs: Mapping[Cell, Runs]
+    remembered: dict[object, Any] = field(default_factory=dict, compare=False, repr=False)
+
+    def experiment(self, name: str) -> Experiment:
+        """Return the experiment of that name."""
+        return next(e for e in self.experiments if e.name == name)
+
+    def remember(self, what: object, find: Callable[[], T]) -> T:
+        """Return what was found before under that name, else find it."""
+        if what not in self.remembered:
+            self.remembered[what] = find()
+        found: T = self.remembered[what]
+        return found
+
+    def under(self, experiments: Iterable[Experiment], runs: Mapping[Cell, Runs]) -> "Evidence":
+        """Return the evidence with other experiments and runs in the place of some.
+
+        What was measured of the runs that stay is remembered.
+        """
+        others = tuple(experiments)
+        changed = {other.name for other in others}
+        kept = {
+            what: found
+            for what, found in self.remembered.items()
+            if hasattr(what, "cells") and not any(cell[0] in changed for cell in what.cells())
+        }
+        return Evidence(self.key, (*others, *self.experiments), {**self.runs, **runs}, kept)
+
+    def halves(self) -> tuple["Evidence", "Evidence"]:
+        """Return the odd and the even repeats of all cells that have two repeats or more."""
+        return self.remember("halves", self._halves)
+
+    def _halves(self) -> tuple["Evidence", "Evidence"]:
+        cells = [cell for cell, runs in self.runs.items() if len(runs.costs) > 1]
+        odd, even = (
+            replace(
+                self, runs={cell: self.runs[cell].repeats(which) for cell in cells}, remembered={}
+            )
+            for which in (slice(0, None, 2), slice(1, None, 2))
+        )
+        return odd, even
+
+    def values(self, cell: Cell, quantity: str = "cost") -> Vector:
+        """Return a quantity of every run, shape (repeats, runs).
+
+        It is "cost", "cost after k iterations", "cost after half of the iterations" (rounded down,
+        of those that were run), or what the problem itself calls `quantity`.
+        """
+        runs = self.runs[cell]
+        if quantity == "cost":
+            return runs.costs
+        if match := re.fullmatch(r"cost after (\d+ iterations?|half of the iterations)", quantity):
+            last = runs.histories.shape[-1]
+            count = match[1].split()[0]
+            iteration = last // 2 if count == "half" else int(count)
+            if not 1 <= iteration <= last:
+                message = f"{'/'.join(cell)}: no {quantity!r}; it has iterations 1 to {last}"
+                raise DeclarationError(message)
+            return np.asarray(runs.histories[..., iteration - 1])
+        problem = self.experiment(cell[0]).problems[cell[1]]
+        if not hasattr(problem, "quantity"):
+            message = f"{'/'.join(cell)}: no quantity {quantity!r}, only the cost"
+            raise DeclarationError(message)
+        return runs.measured(quantity, partial(problem.quantity, quantity))

@@ -1,0 +1,253 @@
+"""What can be measured for a claim: statistics of runs, ranks, reductions, computed values."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from typing import ClassVar, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from repro.determinism.seeds import generator
+from repro.errors import DeclarationError
+from repro.model.evidence import Cell, Evidence
+from repro.model.experiment import Experiment
+from repro.statistics.summary import STATISTICS
+from repro.statistics.tables import resampled
+
+Vector = NDArray[np.float64]
+TABLES = 2000  # resampled tables per statistic: its 2.5 % tail then holds 50 of them
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Measured:
+    """The value of the first repeat, the values of many resampled tables, and repeats used.
+
+    Where several cells are used, the repeats are the fewest of any, and 0 where none is run.
+    """
+
+    value: float
+    draws: Vector
+    repeats: int
+
+
+def fewest_repeats(*parts: Measured) -> int:
+    """Return the fewest repeats that any part rests on; a part without runs has none to count."""
+    return min((part.repeats for part in parts if part.repeats), default=0)
+
+
+class Measure(Protocol):
+    """Something that evidence gives a value to, in SI units."""
+
+    def cells(self) -> tuple[Cell, ...]:
+        """Return the cells of runs that are needed: (experiment, problem, algorithm)."""
+
+    def measure(self, evidence: Evidence) -> Measured:
+        """Return what the runs give."""
+
+    @property
+    def words(self) -> str:
+        """What is measured, as a phrase."""
+
+    @property
+    def follows(self) -> bool:
+        """Whether it looks at the course of the searches and not only at their ends."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Statistic:
+    """Best, worst, mean or std, over the runs of one table, of the cost or another quantity."""
+
+    experiment: str
+    problem: str
+    algorithm: str
+    statistic: str
+    quantity: str = "cost"
+
+    @property
+    def cell(self) -> Cell:
+        """Where the runs are."""
+        return self.experiment, self.problem, self.algorithm
+
+    @property
+    def words(self) -> str:
+        """What is measured, as a phrase."""
+        return f"{self.statistic} {self.quantity} of {self.algorithm} on {self.problem}"
+
+    def cells(self) -> tuple[Cell, ...]:
+        """Return the one cell that is needed."""
+        return (self.cell,)
+
+    @property
+    def follows(self) -> bool:
+        """Whether it is about the cost on the way."""
+        return self.quantity.startswith("cost after")
+
+    def measure(self, evidence: Evidence) -> Measured:
+        """Return the statistic of the first repeat and of resampled tables."""
+        return evidence.remember(self, partial(self._measure, evidence))
+
+    def _measure(self, evidence: Evidence) -> Measured:
+        values = evidence.values(self.cell, self.quantity)
+        statistic = STATISTICS[self.statistic]
+        # named without statistic and quantity: one and the same tables for all of a cell's numbers
+        rng = generator("resample", evidence.key, *self.cell)
+        return Measured(
+            value=float(statistic(values[0])),
+            draws=resampled(values, statistic, tables=TABLES, rng=rng),
+            repeats=len(values),
+        )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Rank:
+    """Place of one algorithm's statistic among others, 1 for the lowest; ties share the lower."""
+
+    of: Statistic
+    among: tuple[str, ...]
+
+    @property
+    def words(self) -> str:
+        """What is measured, as a phrase."""
+        return f"rank of {self.of.words} among {', '.join(self.among)}"
+
+    @property
+    def follows(self) -> bool:
+        """Whether the statistic does."""
+        return self.of.follows
+
+    def cells(self) -> tuple[Cell, ...]:
+        """Return one cell per algorithm."""
+        return tuple((*self.of.cell[:2], name) for name in self.among)
+
+    def measure(self, evidence: Evidence) -> Measured:
+        """Return the rank in the first repeat and in resampled tables."""
+        own = self.of.measure(evidence)
+        others = [
+            Statistic(
+                experiment=self.of.experiment,
+                problem=self.of.problem,
+                algorithm=name,
+                statistic=self.of.statistic,
+                quantity=self.of.quantity,
+            ).measure(evidence)
+            for name in self.among
+            if name != self.of.algorithm
+        ]
+        return Measured(
+            value=1.0 + sum(other.value < own.value for other in others),
+            draws=1.0 + np.sum([other.draws < own.draws for other in others], axis=0),
+            repeats=fewest_repeats(own, *others),
+        )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Computed:
+    """A value that follows from printed inputs without a run."""
+
+    follows: ClassVar[bool] = False
+    how: str
+    value: Callable[[], float]
+
+    @property
+    def words(self) -> str:
+        """What is measured, as a phrase."""
+        return self.how
+
+    def cells(self) -> tuple[Cell, ...]:
+        """Return nothing: no run is needed."""
+        return ()
+
+    def measure(self, evidence: Evidence) -> Measured:  # noqa: ARG002 (the protocol's argument)
+        """Return the value, which does not vary."""
+        value = self.value()
+        return Measured(value=value, draws=np.array([value]), repeats=0)
+
+
+def computed(how: str, value: Callable[..., float], *arguments: object) -> Computed:
+    """Return the value of a function, told by `how` it is found, that needs no run."""
+    return Computed(how=how, value=partial(value, *arguments))
+
+
+def runs_of(
+    experiment: Experiment, algorithm: str, statistic: str = "mean", *, problem: str = ""
+) -> Callable[[str], Statistic]:
+    """Return what gives a statistic of a quantity; `problem` may be left out where there is one."""
+    if not problem:
+        (problem,) = experiment.problems
+
+    def of(quantity: str) -> Statistic:
+        return Statistic(
+            experiment=experiment.name,
+            problem=problem,
+            algorithm=algorithm,
+            statistic=statistic,
+            quantity=quantity,
+        )
+
+    return of
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Difference:
+    """By how much `after` is lower than `before`, in their unit."""
+
+    before: Measure
+    after: Measure
+
+    @property
+    def words(self) -> str:
+        """What is measured, as a phrase."""
+        return f"difference from {self.before.words} to {self.after.words}"
+
+    @property
+    def follows(self) -> bool:
+        """Whether either side does."""
+        return self.before.follows or self.after.follows
+
+    def cells(self) -> tuple[Cell, ...]:
+        """Return the cells of both sides."""
+        return self.before.cells() + self.after.cells()
+
+    def measure(self, evidence: Evidence) -> Measured:
+        """Return the difference in the first repeat and in resampled tables."""
+        before, after = self.before.measure(evidence), self.after.measure(evidence)
+        return Measured(
+            value=before.value - after.value,
+            draws=before.draws - after.draws,
+            repeats=fewest_repeats(before, after),
+        )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Reduction:
+    """By how many percent `after` is lower than `before`."""
+
+    before: Measure
+    after: Measure
+
+    @property
+    def words(self) -> str:
+        """What is measured, as a phrase."""
+        return f"reduction in percent from {self.before.words} to {self.after.words}"
+
+    @property
+    def follows(self) -> bool:
+        """Whether either side does."""
+        return self.before.follows or self.after.follows
+
+    def cells(self) -> tuple[Cell, ...]:
+        """Return the cells of both sides."""
+        return self.before.cells() + self.after.cells()
+
+    def measure(self, evidence: Evidence) -> Measured:
+        """Return the reduction in the first repeat and in resampled tables."""
+        before, after = self.before.measure(evidence), self.after.measure(evidence)
+        if before.value == 0.0 or not np.all(before.draws):
+            message = f"{self.words}: nothing is lower than 0 by a percentage"
+            raise DeclarationError(message)
+        return Measured(
+            value=100.0 * (1.0 - after.value / before.value),
+            draws=100.0 * (1.0 - after.draws / before.draws),
+            repeats=fewest_repeats(before, after),
+        )

@@ -1,0 +1,213 @@
+"""What a paper module declares."""
+
+from collections import Counter
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from repro.errors import DeclarationError
+from repro.model.claims import CellClaim, Claim
+from repro.model.experiment import Experiment
+from repro.model.figures import Figure
+from repro.model.open_points import Erratum, Gap
+from repro.tables.published import PublishedTable
+from repro.tables.relations import Relation
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Source:
+    """How to cite the paper, as far as the copy at hand says it."""
+
+    authors: str
+    title: str
+    year: int | None = None
+    journal: str | None = None
+    doi: str | None = None
+    note: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Alternative:
+    """Another choice than ours: what it changes, or why it cannot be tried.
+
+    `name` is short and unique in its paper; the runs are named by it. `algorithms` maps
+    (experiment, algorithm) and `problems` maps (experiment, problem) to what takes its place: an
+    object, or the fields to replace. `protocol` maps an experiment to fields of it to replace
+    (population, iterations, runs). `claims` take the place of the claims on the same cells or
+    sentences.
+    """
+
+    says: str
+    name: str = ""
+    algorithms: Mapping[tuple[str, str], Any] = field(default_factory=dict)
+    problems: Mapping[tuple[str, str], Any] = field(default_factory=dict)
+    protocol: Mapping[str, Mapping[str, int]] = field(default_factory=dict)
+    claims: tuple[Claim, ...] = ()
+    untried: str = ""
+
+    def __str__(self) -> str:
+        """Return what the pages say of it."""
+        return self.says
+
+    @property
+    def changes(self) -> bool:
+        """Whether it changes anything that can be judged again."""
+        return bool(self.algorithms or self.problems or self.protocol or self.claims)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Assumption:
+    """A value or rule that the paper leaves open: what we chose, among what, and why."""
+
+    what: str
+    chosen: str
+    alternatives: tuple[Alternative, ...]
+    because: str
+    where: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MotionReading:
+    """A motion problem under another reading of the paper: certified, but not run.
+
+    `of` names the experiment and problem whose printed times are held against it.
+    """
+
+    name: str
+    of: tuple[str, str]
+    problem: Any
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Formula:
+    """An equation of the paper that the re-run follows.
+
+    `latex` is its text, `code` the module or object that computes it; `departs` says where the
+    re-run does something else than what is printed.
+    """
+
+    label: str
+    where: str
+    latex: str
+    says: str
+    code: str
+    departs: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Paper:
+    """One source paper: everything that is printed, open, wrong or missing, as data.
+
+    `inputs` are printed tables that the re-run starts from, `results` those whose every cell is
+    claimed; `relations` say what printed numbers must be to each other; `motion_readings` are
+    motion problems as the paper may also be read; `together` names the alternatives that are also
+    tried in every combination; `summary` says in one sentence what the paper reports; `read_twice`
+    that its tables were transcribed a second time, blind, and agree.
+    """
+
+    key: str
+    source: Source
+    summary: str
+    experiments: tuple[Experiment, ...]
+    inputs: tuple[PublishedTable, ...]
+    results: tuple[PublishedTable, ...]
+    claims: tuple[Claim, ...]
+    assumptions: tuple[Assumption, ...]
+    errata: tuple[Erratum, ...]
+    gaps: tuple[Gap, ...]
+    formulas: tuple[Formula, ...] = ()
+    figures: tuple[Figure, ...] = ()
+    relations: tuple[Relation, ...] = ()
+    motion_readings: tuple[MotionReading, ...] = ()
+    together: tuple[str, ...] = ()
+    read_twice: bool = False
+
+    def __post_init__(self) -> None:
+        """Raise DeclarationError where parts of the declaration do not fit together."""
+        self._refuse_ambiguous_names()
+        self._refuse_unlisted_experiments()
+        self._refuse_unclaimed_cells()
+        self._refuse_readings_of_nothing()
+        self._refuse_idle_alternatives()
+
+    def _refuse_ambiguous_names(self) -> None:
+        names = [experiment.name for experiment in self.experiments]
+        for experiment in self.experiments:
+            for name in (experiment.name, *experiment.problems, *experiment.algorithms):
+                if "/" in name or names.count(name) > 1:
+                    message = (
+                        f"{self.key}, {name!r}: runs are named experiment/problem/algorithm, so a "
+                        "name has no '/' and no two experiments share one"
+                    )
+                    raise DeclarationError(message)
+
+    def _refuse_readings_of_nothing(self) -> None:
+        known = {(e.name, problem) for e in self.experiments for problem in e.problems}
+        for reading in self.motion_readings:
+            if reading.of not in known:
+                names = ", ".join(sorted("/".join(names) for names in known))
+                message = (
+                    f"{self.key}, reading {reading.name!r}: no problem {'/'.join(reading.of)}; "
+                    f"problems: {names}"
+                )
+                raise DeclarationError(message)
+
+    def _refuse_idle_alternatives(self) -> None:
+        declared = [
+            alternative
+            for assumption in self.assumptions
+            for alternative in assumption.alternatives
+        ]
+        names = Counter(alternative.name for alternative in declared if alternative.changes)
+        for alternative in declared:
+            place = f"{self.key}, alternative {alternative.says!r}"
+            if bool(alternative.untried) == alternative.changes:
+                message = f"{place} needs either something that it changes, or why it is not tried"
+                raise DeclarationError(message)
+            if alternative.changes and (not alternative.name or "/" in alternative.name):
+                message = f"{place} needs a name without '/', not {alternative.name!r}"
+                raise DeclarationError(message)
+            if alternative.changes and names[alternative.name] > 1:
+                message = f"{place}: another alternative has the name {alternative.name!r} too"
+                raise DeclarationError(message)
+            self._refuse_changes_of_nothing(place, alternative)
+        if unknown := set(self.together) - set(names):
+            message = f"{self.key}, together: no alternatives {sorted(unknown)}; {sorted(names)}"
+            raise DeclarationError(message)
+
+    def _refuse_changes_of_nothing(self, place: str, alternative: Alternative) -> None:
+        known = {(e.name, name) for e in self.experiments for name in (*e.problems, *e.algorithms)}
+        for pair in (*alternative.algorithms, *alternative.problems):
+            if pair not in known:
+                message = f"{place}: no {'/'.join(pair)}; there is {sorted(known)}"
+                raise DeclarationError(message)
+        for name in alternative.protocol:
+            if name not in {e.name for e in self.experiments}:
+                message = f"{place}: no experiment {name!r}"
+                raise DeclarationError(message)
+
+    def _refuse_unlisted_experiments(self) -> None:
+        known = {
+            (e.name, problem, algorithm)
+            for e in self.experiments
+            for problem in e.problems
+            for algorithm in e.algorithms
+        }
+        for claim in self.claims:
+            for cell in claim.measure.cells() if claim.measure else ():
+                if cell not in known:
+                    place = claim.where if isinstance(claim, CellClaim) else claim.claim
+                    names = ", ".join(sorted({name for name, *_ in known}))
+                    message = f"{self.key}, {place}: no runs {'/'.join(cell)}; experiments: {names}"
+                    raise DeclarationError(message)
+
+    def _refuse_unclaimed_cells(self) -> None:
+        claimed = Counter(claim.place for claim in self.claims)
+        for table in self.results:
+            for row, column in table.places():
+                if (times := claimed[table.label, row, column]) != 1:
+                    message = (
+                        f"{self.key}, {table.label}: cell ({row}, {column}) has {times or 'no'} "
+                        f"claim{'s' * (times > 1)}"
+                    )
+                    raise DeclarationError(message)

@@ -1,0 +1,75 @@
+"""The counterpart of a paper's figure: a drawing, what it says in words, and its data."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from repro.model.evidence import Evidence
+from repro.model.figures import Arm, Convergence, Figure, JointCurves, Motion, SplineMotion
+from repro.report.drawings.arm import arm_plot
+from repro.report.drawings.convergence import HEADINGS, convergence_plot
+from repro.report.drawings.fitted_curves import joint_curves_plot
+from repro.report.drawings.motion import motion_plot
+from repro.report.drawings.spline import spline_plot
+from repro.report.drawings.style import Plot, Rows, Scene, drawing_style, empty
+from repro.report.drawings.svg import inline_svg
+from repro.report.drawings.tool_path import tool_path_plot
+
+NOTHING = "No runs yet"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Drawing:
+    """A figure ready for a page.
+
+    `svg` is one inline element in the page's own text colour; `title` is label and caption;
+    `description` says in words what is drawn, with its main numbers; `rows` are the data under
+    one row of headings; `scene`, where there is one, is what an interactive view of it draws.
+    """
+
+    svg: str
+    title: str
+    description: str
+    rows: Rows
+    scene: Scene | None = None
+
+
+def draw(figure: Figure, evidence: Evidence, identifier: str) -> Drawing:
+    """Return the drawing of a declared figure; where no run is there yet, it says so.
+
+    `identifier` begins every id in the SVG, so it must differ between the drawings of a page.
+    The same arguments give the same bytes.
+    """
+    title = f"{figure.label}: {figure.caption}"
+    return drawing(lambda: _plot(figure, evidence), title=title, identifier=identifier)
+
+
+def drawing(plotted: Callable[[], Plot], *, title: str, identifier: str) -> Drawing:
+    """Return what `plotted` draws, in our style, ready for a page."""
+    with drawing_style():
+        plot = plotted()
+        svg = inline_svg(
+            plot.canvas, identifier=identifier, title=title, description=plot.description
+        )
+    return Drawing(
+        svg=svg, title=title, description=plot.description, rows=plot.rows, scene=plot.scene
+    )
+
+
+def _plot(figure: Figure, evidence: Evidence) -> Plot:
+    if isinstance(figure, Arm):
+        return arm_plot(figure, evidence)
+    if isinstance(figure, Convergence):
+        return convergence_plot(figure, evidence) or _nothing()
+    if isinstance(figure, Motion):
+        return motion_plot(figure, evidence)
+    if isinstance(figure, SplineMotion):
+        return spline_plot(figure, evidence)
+    if isinstance(figure, JointCurves):
+        return joint_curves_plot(figure, evidence)
+    return tool_path_plot(figure)
+
+
+def _nothing() -> Plot:
+    canvas = empty(0.6)
+    canvas.text(0.5, 0.5, NOTHING, ha="center", va="center")
+    return Plot(canvas=canvas, description=f"{NOTHING}.", rows=(HEADINGS,))

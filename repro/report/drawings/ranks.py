@@ -1,0 +1,89 @@
+"""Average ranks on a line, with bars over those that Nemenyi's test does not tell apart."""
+
+import math
+from collections.abc import Mapping, Sequence
+
+from matplotlib.axes import Axes
+
+from repro.report.drawings.style import RIGHT, TOP, WIDTH, Plot, Rows, Style, empty
+from repro.statistics.friedman import Friedman, not_told_apart
+
+LINE = 0.24  # in, from one name to the next
+BAR = 0.1  # in, from one bar to the next
+ABOVE = 0.62  # in, for the numbers of the axis and the bar of the critical difference
+MARGIN = 1.35  # in, on either side, for the names
+THIN: Style = {"color": "#000000", "linewidth": 0.8, "solid_capstyle": "butt"}
+THICK: Style = {"color": "#D55E00", "linewidth": 3.2, "solid_capstyle": "butt"}
+
+
+def rank_plot(names: Sequence[str], found: Friedman, printed: Mapping[str, str]) -> Plot:
+    """Return the critical-difference diagram of Demšar (2006), the lowest rank at the left."""
+    order = sorted(range(len(names)), key=lambda k: found.ranks[k])
+    groups = not_told_apart(found.ranks, found.critical_difference)
+    left = order[: math.ceil(len(order) / 2)]
+    top = ABOVE + BAR * (len(groups) + 1)
+    height = 2 * TOP + top + LINE * len(left)
+    canvas = empty(height)
+    axes = canvas.add_axes((MARGIN / WIDTH, 0, 1 - (2 * MARGIN + RIGHT) / WIDTH, 1 - TOP / height))
+    axes.set(xlim=(1, len(names)), ylim=(height - TOP, 0))
+    axes.axis("off")
+    _draw_axis(axes, len(names), found.critical_difference)
+    for level, group in enumerate(groups, start=1):
+        ends = [found.ranks[k] for k in (group[0], group[-1])]
+        axes.plot(ends, [ABOVE + BAR * level] * 2, clip_on=False, **THICK)
+    sides = ((left, 0.0, "right"), (order[: len(left) - 1 : -1], 1.0, "left"))
+    for side, edge, alignment in sides:
+        for line, k in enumerate(side):
+            _draw_name(axes, f"{names[k]} {found.ranks[k]:.2f}", found.ranks[k],
+                       y=top + LINE * (line + 0.5), edge=edge, alignment=alignment)  # fmt: skip
+    return Plot(
+        canvas=canvas,
+        description=_description(names, order, found, groups),
+        rows=_rows(names, order, found, printed),
+    )
+
+
+def _draw_axis(axes: Axes, algorithms: int, difference: float) -> None:
+    axes.plot([1, algorithms], [ABOVE] * 2, clip_on=False, **THIN)
+    for rank in range(1, algorithms + 1):
+        axes.plot([rank] * 2, [ABOVE - 0.06, ABOVE], clip_on=False, **THIN)
+        axes.text(rank, ABOVE - 0.09, f"{rank}", ha="center", va="bottom")
+    axes.plot([1, 1 + difference], [0.24] * 2, clip_on=False, **THICK)
+    axes.text(1, 0.19, f"critical difference {difference:.2f}", ha="left", va="bottom")
+
+
+def _draw_name(
+    axes: Axes, text: str, rank: float, *, y: float, edge: float, alignment: str
+) -> None:
+    low, high = axes.get_xlim()
+    end = low + edge * (high - low)
+    axes.plot([rank, rank, end], [ABOVE, y, y], clip_on=False, **THIN)
+    axes.annotate(
+        text, (end, y), xytext=(6 if edge else -6, 0), textcoords="offset points",
+        ha=alignment, va="center", annotation_clip=False,
+    )  # fmt: skip
+
+
+def _description(
+    names: Sequence[str], order: Sequence[int], found: Friedman, groups: Sequence[Sequence[int]]
+) -> str:
+    ranks = ", ".join(f"{names[k]} {found.ranks[k]:.2f}" for k in order)
+    alike = "; ".join(", ".join(names[k] for k in group) for group in groups)
+    return (
+        f"Average ranks over {found.problems} problems by mean cost, 1 for the lowest: {ranks}. "
+        f"By Nemenyi's test ranks differ at the 5 % level from {found.critical_difference:.2f} on. "
+        + (f"Not told apart: {alike}." if groups else "All are told apart.")
+    )
+
+
+def _rows(
+    names: Sequence[str], order: Sequence[int], found: Friedman, printed: Mapping[str, str]
+) -> Rows:
+    return (
+        ("algorithm", "average rank", "printed average rank", "critical difference"),
+        *(
+            (names[k], f"{found.ranks[k]:.6g}", printed.get(names[k], ""),
+             f"{found.critical_difference:.6g}")
+            for k in order
+        ),
+    )  # fmt: skip

@@ -1,0 +1,83 @@
+"""What the pages say of the other readings of a paper."""
+
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from repro.judge.findings import EvidenceUnder, Finding
+from repro.judge.other_readings import AS_CHOSEN, Print, reached
+from repro.judge.verdict import Verdict
+from repro.model.paper import Paper
+from repro.report.words import anchor, number
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ReadingRow:
+    """One reading: its name, what it departs from, and how many contradicted numbers it reaches."""
+
+    name: str
+    anchor: str
+    says: str
+    tried: int
+    reached: int
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ReadingsView:
+    """Other readings, how the contradicted numbers fare, and the fingerprint of each column.
+
+    `within_reach` numbers are not contradicted under some reading, `out_of_reach` ones are under
+    every reading that bears on them; no reading bears on `untouched` ones.
+    """
+
+    rows: tuple[ReadingRow, ...]
+    contradicted: int
+    within_reach: int
+    out_of_reach: int
+    untouched: int
+    prints: tuple[tuple[str, ...], ...]
+
+
+def readings_view(
+    paper: Paper,
+    findings: Sequence[Finding],
+    varied: Iterable[EvidenceUnder],
+    prints: Iterable[Print],
+) -> ReadingsView:
+    """Return what is shown of the readings of one paper."""
+    contradicted = [f for f in findings if f.verdict is Verdict.CONTRADICTED]
+    tried = Counter(outcome.reading for f in contradicted for outcome in f.readings)
+    hits = Counter(name for f in contradicted for name in reached(f))
+    within = sum(bool(reached(f)) for f in contradicted)
+    untouched = sum(not f.readings for f in contradicted)
+    return ReadingsView(
+        rows=tuple(
+            ReadingRow(
+                name=each.reading.name,
+                anchor=anchor(paper.key, "reading", each.reading.name),
+                says=each.reading.says,
+                tried=tried[each.reading.name],
+                reached=hits[each.reading.name],
+            )
+            for each in varied
+        ),
+        contradicted=len(contradicted),
+        within_reach=within,
+        out_of_reach=len(contradicted) - within - untouched,
+        untouched=untouched,
+        prints=tuple(_print_row(each) for each in prints if each.others),
+    )
+
+
+def _print_row(each: Print) -> tuple[str, ...]:
+    name, distance = each.others[0]
+    nearest = AS_CHOSEN if each.nearest == AS_CHOSEN else name
+    return (
+        each.table,
+        each.column,
+        f"{each.numbers}",
+        number(each.chosen, 3),
+        nearest,
+        number(min(distance, each.chosen), 3),
+        number(each.others[-1][1], 3),
+    )

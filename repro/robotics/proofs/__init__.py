@@ -1,0 +1,1 @@
+"""Exact lower bounds of times."""

@@ -1,0 +1,119 @@
+"""Everything that is to be run, in order, each run with a name, a seed and a key."""
+
+import hashlib
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+from repro.determinism.source_digests import sources_of_run
+from repro.errors import InputError
+from repro.model.experiment import Experiment
+from repro.model.paper import Paper
+from repro.optimisers.search import Optimiser
+from repro.runs.studies import studies
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Task:
+    """One run of one algorithm on one problem."""
+
+    paper: str
+    experiment: str
+    problem: str
+    algorithm: str
+    repeat: int
+    run: int
+    key: str
+    optimiser: Optimiser
+    subject: Any
+    population: int
+    iterations: int
+    evaluations: int | None = None
+    seed: str = ""
+    drawn_as: str = ""
+
+    @property
+    def name(self) -> str:
+        """The name of the run, which no other has; another master seed stands before it."""
+        return self._named(self.experiment)
+
+    @property
+    def stream(self) -> str:
+        """The name that seeds the run: its own, or that of the run whose numbers it draws."""
+        return self._named(self.drawn_as or self.experiment)
+
+    def _named(self, experiment: str) -> str:
+        parts = (self.paper, experiment, self.problem, self.algorithm, self.repeat, self.run)
+        return "/".join(map(str, (self.seed, *parts) if self.seed else parts))
+
+
+def plan(
+    papers: Iterable[Paper], repeats: int, seed: str = "", *, protocol_only: bool = False
+) -> tuple[Task, ...]:
+    """Return every run of the papers' protocols, `repeats` times over, then of their studies.
+
+    Repeats are counted from 1; `seed` is a master seed, which makes every run another one.
+    """
+    if repeats < 1:
+        message = f"repeats is {repeats}; it must be 1 or more"
+        raise InputError(message)
+    declared = tuple(papers)
+    protocols = [
+        (paper, experiment, repeats) for paper in declared for experiment in paper.experiments
+    ]
+    besides = [
+        (paper, study.experiment, study.repeats)
+        for paper in declared
+        for study in (() if protocol_only else studies(paper, repeats))
+    ]
+    return tuple(
+        task
+        for paper, experiment, times in (*protocols, *besides)
+        for problem in experiment.problems
+        for algorithm in experiment.algorithms
+        for task in _cell(paper.key, experiment, problem, algorithm, times, seed)
+    )
+
+
+def _cell(
+    paper: str, experiment: Experiment, problem: str, algorithm: str, repeats: int, seed: str
+) -> Iterable[Task]:
+    inputs = _inputs(experiment, problem, algorithm)
+    for repeat in range(1, repeats + 1):
+        for run in range(1, experiment.runs + 1):
+            place = (seed, paper, experiment.name, problem, algorithm, repeat, run)
+            drawn_as = (experiment.drawn_as,) if experiment.drawn_as else ()
+            yield Task(
+                paper=paper,
+                experiment=experiment.name,
+                problem=problem,
+                algorithm=algorithm,
+                repeat=repeat,
+                run=run,
+                key=_digest(inputs, *place, *drawn_as),
+                optimiser=experiment.algorithms[algorithm],
+                subject=experiment.problems[problem],
+                population=experiment.population,
+                iterations=experiment.iterations,
+                evaluations=experiment.evaluations,
+                seed=seed,
+                drawn_as=experiment.drawn_as,
+            )
+
+
+def _inputs(experiment: Experiment, problem: str, algorithm: str) -> str:
+    """Return a digest of all that decides the outcome of a run but its seed."""
+    optimiser, subject = experiment.algorithms[algorithm], experiment.problems[problem]
+    return _digest(
+        repr(optimiser),
+        type(subject).__qualname__,
+        repr(subject.identity),
+        experiment.population,
+        experiment.iterations,
+        experiment.evaluations,
+        sources_of_run(optimiser, subject),
+    )
+
+
+def _digest(*parts: object) -> str:
+    return hashlib.sha256("\0".join(map(str, parts)).encode()).hexdigest()

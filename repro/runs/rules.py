@@ -1,0 +1,110 @@
+"""What a search is held to: its box, its budget, its inputs, and the cost that it reports."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from repro.optimisers.search import Optimiser, Problem, Result, value
+
+Vector = NDArray[np.float64]
+_SHOWN = 4  # coordinates of a point that a message shows
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Given:
+    """A problem whose bounds and data are one run's own, so that no run can spoil another's."""
+
+    problem: Any
+    bounds: Vector
+    data: Vector
+    before: tuple[bytes, bytes]
+
+    @classmethod
+    def of(cls, problem: Problem) -> Self:
+        """Return the problem with copies of its bounds and data.
+
+        A cost that needs room for numbers of its own has it at the start of the data, and says how
+        much by an attribute `scratch` of the problem.
+        """
+        bounds, data = np.array(problem.bounds), np.array(problem.data)
+        return cls(problem=problem, bounds=bounds, data=data, before=_bytes(problem, bounds, data))
+
+    @property
+    def is_as_it_was(self) -> bool:
+        """Whether bounds and data are what was given."""
+        return _bytes(self.problem, self.bounds, self.data) == self.before
+
+    def __getattr__(self, name: str) -> Any:  # noqa: ANN401 (whatever the problem has besides)
+        """Return anything else as the problem has it."""
+        return getattr(self.problem, name)
+
+    def cost(self, x: Vector) -> float:
+        """Return the cost of a point."""
+        return value(self.problem.kernel, self.data, x)
+
+
+def _bytes(problem: Problem, bounds: Vector, data: Vector) -> tuple[bytes, bytes]:
+    return bounds.tobytes(), data[getattr(problem, "scratch", 0) :].tobytes()
+
+
+def fault(
+    result: Result,
+    given: Given,
+    *,
+    optimiser: Optimiser,
+    population: int,
+    iterations: int | None,
+    evaluations: int | None,
+) -> str | None:
+    """Return what is wrong with a search or its result, None where nothing is.
+
+    An optimiser whose source lets points leave the box says so by an attribute `leaves_box`; one
+    that spends more than N·(T + 1) evaluations by a method `spending`.
+    """
+    most = evaluations or _most(optimiser, population, iterations or 0)
+    free = getattr(optimiser, "leaves_box", False)
+    return next(_faults(result, given, free=free, iterations=iterations, most=most), None)
+
+
+def _faults(
+    result: Result,
+    given: Given,
+    *,
+    free: bool,
+    iterations: int | None,
+    most: int,
+) -> Iterator[str]:
+    if not given.is_as_it_was:
+        yield "the search, or the cost, changed the bounds or data that it was given"
+    if not np.isfinite(result.cost):
+        where = f" at {_shown(result.x)}" if np.isnan(result.cost) else ""
+        yield f"the best cost is {result.cost}{where}"
+    if result.x.shape != (len(given.bounds),):
+        yield f"the best point has shape {result.x.shape}, not ({len(given.bounds)},)"
+    outside = ~((given.bounds[:, 0] <= result.x) & (result.x <= given.bounds[:, 1]))
+    if outside.any() and not free:
+        j = int(outside.argmax())
+        low, high = given.bounds[j]
+        yield f"the search left the box: coordinate {j + 1} is {result.x[j]}, not {low} to {high}"
+    if iterations is not None and result.history.shape != (iterations,):
+        yield f"the history has shape {result.history.shape}, not ({iterations},)"
+    if not 0 < result.evaluations <= most:
+        yield f"the search spent {result.evaluations} evaluations of at most {most}"
+    if (cost := given.cost(result.x)) != result.cost:
+        yield f"the search reports the cost {result.cost!r} for a point that costs {cost!r}"
+
+
+def _most(optimiser: Optimiser, population: int, iterations: int) -> int:
+    declared = getattr(optimiser, "spending", None)
+    if declared is None:
+        return population * (iterations + 1)
+    spending = declared(population)
+    return int(spending.start + spending.each * iterations)
+
+
+def _shown(x: Vector) -> str:
+    more = f", … ({len(x)} coordinates)" if len(x) > _SHOWN else ""
+    return f"x = [{', '.join(map(str, x[:_SHOWN].tolist()))}{more}]"

@@ -1,0 +1,96 @@
+"""One run and its record: the same bits wherever and whenever it is made."""
+
+import time
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from repro.determinism.seeds import generator
+from repro.runs.plan import Task
+from repro.runs.rules import Given, fault
+
+Vector = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Record:
+    """What one run gave; `reason` says why a failed run has no result.
+
+    `environment` is that of the machine where it was made, None for this one.
+    """
+
+    task: Task
+    cost: float
+    x: Vector
+    history: Vector
+    evaluations: int
+    seconds: float
+    reason: str | None = None
+    environment: Mapping[str, object] | None = None
+
+
+def execute(task: Task) -> Record:
+    """Return the record of one run: the same bits wherever and whenever it runs.
+
+    An exception, a cost that is not finite, and a search that breaks its rules (see `conduct`)
+    are recorded as a failed run with its reason.
+    """
+    start = time.perf_counter()
+    try:
+        given = Given.of(task.subject)
+        budget = _budget(task)
+        result = task.optimiser.minimise(
+            given, population=task.population, rng=generator(task.stream), **budget
+        )
+        seconds = time.perf_counter() - start
+        reason = fault(
+            result,
+            given,
+            optimiser=task.optimiser,
+            population=task.population,
+            iterations=budget.get("iterations"),
+            evaluations=task.evaluations,
+        )
+    except (Exception, SystemExit) as error:  # noqa: BLE001 (one run's fault costs no other)
+        return failed(task, f"{type(error).__name__}: {error}", time.perf_counter() - start)
+    if reason:
+        return failed(task, reason, seconds)
+    return Record(
+        task=task,
+        cost=float(result.cost),
+        x=result.x,
+        history=result.history,
+        evaluations=result.evaluations,
+        seconds=seconds,
+    )
+
+
+def _budget(task: Task) -> dict[str, int]:
+    if task.evaluations is None:
+        return {"iterations": task.iterations}
+    return {"evaluations": task.evaluations}
+
+
+def failed(task: Task, reason: str, seconds: float) -> Record:
+    """Return the record of a run that has no result."""
+    nothing = np.zeros(0)
+    return Record(
+        task=task, cost=float("nan"), x=nothing, history=nothing, evaluations=0, seconds=seconds,
+        reason=reason,
+    )  # fmt: skip
+
+
+def holds_interpreter(task: Task) -> bool:
+    """Return whether a run keeps other threads from running, so that it needs its own process.
+
+    Compiled searches do not. A search or a problem in plain Python says so by an attribute
+    `holds_interpreter` that is true.
+    """
+    return any(getattr(part, "holds_interpreter", False) for part in (task.optimiser, task.subject))
+
+
+def execute_all(tasks: tuple[Task, ...]) -> list[Record]:
+    """Return the records of a batch, in order; what executors are handed."""
+    return [execute(task) for task in tasks]

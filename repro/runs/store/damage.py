@@ -1,0 +1,116 @@
+"""Setting aside what is damaged in a store: never trusted again, never deleted."""
+
+import sqlite3
+from collections.abc import Iterable, Iterator
+from contextlib import closing, suppress
+from itertools import count
+from pathlib import Path
+
+from repro.runs.store.file import NAME, UNREADABLE, read_any_text
+from repro.runs.store.row import COLUMNS, Row, digest, unpack, whole_curve
+
+SIDE_FOLDER = "set-aside"
+
+
+def row_query(*, packed: bool = True) -> str:
+    """Return the query of one row by its id; a store of schema 1 has no column `packed`."""
+    return (
+        f"select {COLUMNS}, sha, json, y, {'packed' if packed else '0'} "  # noqa: S608
+        "from run left join curve using (id) left join env on env.id = run.env where run.id = ?"
+    )
+
+
+def has_packed(database: sqlite3.Connection) -> bool:
+    """Return whether the curves of a store say that they are packed, as from schema 2 on."""
+    columns = database.execute("pragma table_info(curve)").fetchall()
+    return any(column[1] == "packed" for column in columns)
+
+
+def damaged_rows(database: sqlite3.Connection) -> Iterator[tuple[int, str]]:
+    """Yield (id, name) of every row that is not what was written."""
+    query = row_query(packed=has_packed(database))
+    for (number,) in database.execute("select id from run not indexed"):
+        row: Row = database.execute(query, (number,)).fetchone()
+        if whole_curve(row) is None:
+            yield number, name_of(row)
+
+
+def name_of(row: Row | None) -> str:
+    """Return the name that a row gives to its run, fit for a terminal whatever it holds."""
+    if row is None:
+        return "a run without a name"
+    text = "/".join(map(str, row[1:7]))
+    return text if text.isprintable() and len(text) < 200 else ascii(text)[:200]
+
+
+def set_aside(database: sqlite3.Connection, numbers: Iterable[int]) -> None:
+    """Move rows, by their ids, to the table `damaged`, as they are."""
+    with database:
+        for position, number in enumerate(numbers):
+            if not position:
+                database.execute(
+                    "reindex"
+                )  # an index that still has the true key would be in the way
+            database.execute(
+                f"insert into damaged(was, {COLUMNS}, sha, json, y, packed) "  # noqa: S608
+                f"select run.id, {COLUMNS}, sha, json, y, packed from run "
+                "left join curve using (id) left join env on env.id = run.env where run.id = ?",
+                (number,),
+            )
+            database.execute("delete from curve where id = ?", (number,))
+            gone = database.execute("delete from run where id = ?", (number,))
+            if gone.rowcount != 1:  # where the schema is damaged no id is a row's
+                message = "a row is not where its id says"
+                raise sqlite3.DatabaseError(message)
+
+
+def set_file_aside(folder: Path) -> Path:
+    """Move the file of the store and its journal into a new side folder; return the file there."""
+    for number in count(1):
+        side = folder / f"{SIDE_FOLDER}-{number}"
+        with suppress(FileExistsError):
+            side.mkdir()
+            break
+    for path in folder.glob(f"{NAME}*"):
+        path.replace(side / path.name)
+    return side / NAME
+
+
+def whole_rows(path: Path) -> Iterator[Row]:
+    """Yield every row of a damaged file that is what was written, as far as it can be read."""
+    with (
+        suppress(*UNREADABLE),
+        closing(sqlite3.connect(f"{path.resolve().as_uri()}?mode=ro", uri=True)) as database,
+    ):
+        read_any_text(database)
+        query = row_query(packed=has_packed(database))
+        for number in _ids(database):
+            with suppress(*UNREADABLE):
+                row: Row | None = database.execute(query, (number,)).fetchone()
+                if row is not None and whole_curve(row) is not None:
+                    yield row
+
+
+def _ids(database: sqlite3.Connection) -> list[int]:
+    """Return the ids that can be read from either end of either table."""
+    found: set[int] = set()
+    for table in ("run", "curve"):
+        for order in ("asc", "desc"):
+            with suppress(*UNREADABLE):
+                rows = database.execute(f"select id from {table} order by id {order}")  # noqa: S608
+                found.update(number for (number,) in rows if isinstance(number, int))
+    return sorted(found)
+
+
+def take_over(database: sqlite3.Connection, row: Row) -> None:
+    """Write a whole row of another file as it is."""
+    *values, _, environment, curve, packed = row
+    database.execute("insert or ignore into env(json) values (?)", (environment,))
+    found = database.execute("select id from env where json = ?", (environment,)).fetchone()
+    values[-1] = found[0]
+    sha = digest(tuple(values), environment, unpack(curve, packed) or b"")
+    added = database.execute(
+        f"insert or replace into run({COLUMNS}, sha) values ({', '.join('?' * 14)})",  # noqa: S608
+        (*values, sha),
+    )
+    database.execute("insert into curve values (?, ?, ?)", (added.lastrowid, curve, packed))

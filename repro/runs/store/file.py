@@ -1,0 +1,207 @@
+"""The file of the store: how it is made, recognised, migrated, locked and opened."""
+
+import fcntl
+import os
+import sqlite3
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+from functools import partial
+from pathlib import Path
+from typing import TextIO
+
+from repro.errors import DamageError, InputError, StoreError
+from repro.runs.store.row import COLUMNS, LONGEST
+
+NAME = "runs.sqlite"
+SCHEMA = 2
+APPLICATION = 0x52455052  # "REPR"
+# what SQLite says where the place is at fault and not the file
+_UNUSABLE = ("SQLITE_CANTOPEN", "SQLITE_FULL", "SQLITE_IOERR", "SQLITE_READONLY", "SQLITE_PERM")
+UNREADABLE = (sqlite3.Error, UnicodeDecodeError)  # the second in what SQLite says of damage
+_FULL = "no room is left; finished runs are kept, make room and run the same command again"
+_DAMAGED = f"""
+create table damaged(
+    id integer primary key, was integer not null, {COLUMNS}, sha, json, y, packed);
+"""
+TABLES = f"""
+create table env(id integer primary key, json text unique not null);
+create table run(
+    id integer primary key, key text unique not null, paper text not null, experiment text not null,
+    problem text not null, algorithm text not null, repeat integer not null, run integer not null,
+    cost real, x blob not null, evaluations integer not null, seconds real not null,
+    reason text, env integer not null references env(id), sha text not null);
+create table curve(
+    id integer primary key references run(id), y blob not null, packed integer not null default 0);
+{_DAMAGED}
+"""
+# schema 1 kept every curve as it is and had no place for damaged rows
+_FROM_1 = f"alter table curve add column packed integer not null default 0; {_DAMAGED}"
+_JOURNALS = (b"\x37\x7f\x06\x82", b"\x37\x7f\x06\x83")  # how a write-ahead log of SQLite begins
+
+
+def open_to_write(path: Path) -> sqlite3.Connection:
+    """Return a connection to a store that is made or migrated where it has to be.
+
+    Raises DamageError for a file that is damaged or not ours, StoreError for a newer schema.
+    """
+    with refusing(path):
+        _refuse_foreign_journal(path)
+        database = sqlite3.connect(path)
+    try:
+        with refusing(path):
+            _prepare(database, path)
+    except BaseException:
+        # an error on closing would hide the one that matters
+        with suppress(*UNREADABLE):
+            database.close()
+        raise
+    return database
+
+
+def _prepare(database: sqlite3.Connection, path: Path) -> None:
+    read_any_text(database)
+    version = version_of(database, path)
+    database.execute("pragma journal_mode=wal")
+    database.execute("pragma synchronous=full")
+    if version < SCHEMA:
+        # in one transaction: a crash leaves a whole store or none, of the one schema or the other
+        change = _FROM_1 if version else f"{TABLES} pragma application_id={APPLICATION};"
+        database.executescript(f"begin; {change} pragma user_version={SCHEMA}; commit;")
+
+
+def open_to_read(path: Path, *, alone: bool) -> sqlite3.Connection:
+    """Return a connection that changes nothing, to an empty store in memory where no file is.
+
+    `alone` says that nobody writes meanwhile; then no file is made beside the store either.
+    """
+    if not path.exists():
+        database = sqlite3.connect(":memory:")
+        database.executescript(TABLES)
+        return database
+    journal = path.with_name(f"{NAME}-wal")
+    settled = alone and not (journal.exists() and journal.stat().st_size)
+    with refusing(path):
+        place = f"{path.resolve().as_uri()}?mode=ro{'&immutable=1' if settled else ''}"
+        database = sqlite3.connect(place, uri=True)
+    try:
+        with refusing(path):
+            read_any_text(database)
+            made = version_of(database, path) > 0
+            database.execute("begin")  # one state of the store, however long the reading takes
+    except BaseException:
+        database.close()
+        raise
+    if made:
+        return database
+    database.close()
+    return open_to_read(path.with_name("nothing is made yet"), alone=alone)
+
+
+def read_any_text(database: sqlite3.Connection) -> None:
+    """Let damaged rows be read, but none that would fill the memory."""
+    # damaged text is for the digest of its row to find, which can name the row
+    database.text_factory = partial(str, encoding="utf-8", errors="replace")
+    database.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, LONGEST)
+
+
+def version_of(database: sqlite3.Connection, path: Path) -> int:
+    """Return the schema of a store, 0 for an empty file.
+
+    Raises DamageError for a file that is damaged or not ours, StoreError for a newer schema.
+    """
+    if not set(_start(path, 20)[18:]) <= {1, 2}:  # SQLite would call such a file read-only
+        message = f"{path} is damaged: its header names no format of SQLite"
+        raise DamageError(message)
+    version, application = (
+        int(database.execute(f"pragma {name}").fetchone()[0])
+        for name in ("user_version", "application_id")
+    )
+    empty = database.execute("select count(*) from sqlite_master").fetchone() == (0,)
+    if application != APPLICATION and (application or version or not empty):
+        message = f"{path} is not a store of repro"
+        raise DamageError(message)
+    if version > SCHEMA:
+        message = f"{path} has schema {version}, newer than {SCHEMA}: update repro"
+        raise StoreError(message)
+    if version < 0 or (empty and version) or not (empty or version):
+        message = f"{path} is damaged: it has schema {version}"
+        raise DamageError(message)
+    return version
+
+
+def _start(path: Path, count: int) -> bytes:
+    if not path.is_file():
+        return b""
+    with path.open("rb") as file:
+        return file.read(count)
+
+
+def _refuse_foreign_journal(path: Path) -> None:
+    journal = path.with_name(f"{NAME}-wal")
+    start = _start(journal, 4)
+    if start and start not in _JOURNALS:
+        message = f"{journal} is no journal of a store"
+        raise DamageError(message)
+
+
+@contextmanager
+def refusing(path: Path) -> Iterator[None]:
+    """Raise what SQLite says of the file at a path as one of our errors."""
+    try:
+        yield
+    except sqlite3.Error as error:
+        name = getattr(error, "sqlite_errorname", "")
+        if name == "SQLITE_FULL":
+            message = f"{path} cannot be written: {_FULL}"
+            raise InputError(message) from None
+        if name.startswith(_UNUSABLE):
+            message = f"{path} cannot be used as a store: {error}"
+            raise InputError(message) from None
+        message = f"{path} is damaged: {error}"
+        raise DamageError(message) from None
+    except UnicodeDecodeError:
+        message = f"{path} is damaged: a name in it is no text"
+        raise DamageError(message) from None
+    except OSError as error:
+        message = f"{path} cannot be used as a store: {error.strerror}"
+        raise InputError(message) from None
+
+
+def lock(folder: Path, say: Callable[[str], None]) -> TextIO:
+    """Return the locked lock file of a folder, made where it has to be; wait while it is taken.
+
+    Raises InputError for a folder that cannot be used.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        file = (folder / "lock").open("w")
+    except OSError as error:
+        message = f"the store folder {folder} cannot be used: {error.strerror}"
+        raise InputError(message) from None
+    try:
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            say(f"the store {folder} is in use by another call; waiting until it is free")
+            fcntl.flock(file, fcntl.LOCK_EX)
+    except BaseException:
+        file.close()
+        raise
+    return file
+
+
+def lock_to_read(folder: Path) -> TextIO | None:
+    """Return the lock file, shared with other readers; None while somebody writes."""
+    if folder.exists() and not folder.is_dir():
+        message = f"the store folder {folder} cannot be used: it is a file"
+        raise InputError(message)
+    try:
+        file = (folder / "lock").open()
+    except OSError:
+        return Path(os.devnull).open()  # nobody ever wrote, or nobody here may
+    try:
+        fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
+    except BlockingIOError:
+        file.close()
+        return None
+    return file

@@ -1,0 +1,299 @@
+"""Finished runs on disk: one SQLite file, each run written once, each row under a digest."""
+
+import hashlib
+import json
+import sqlite3
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager, suppress
+from itertools import islice
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Self
+
+from repro.errors import DamageError, StoreError
+from repro.runs.plan import Task
+from repro.runs.run import Record
+from repro.runs.store.damage import (
+    damaged_rows,
+    has_packed,
+    row_query,
+    set_aside,
+    set_file_aside,
+    take_over,
+    whole_rows,
+)
+from repro.runs.store.file import (
+    NAME,
+    UNREADABLE,
+    lock,
+    lock_to_read,
+    open_to_read,
+    open_to_write,
+    refusing,
+)
+from repro.runs.store.row import COLUMNS, curve_of, digest, pack, record_of, values_of
+
+if TYPE_CHECKING:
+    from io import BufferedReader
+
+_NAMED = 20  # damaged rows that are named one by one
+_AT_ONCE = 1000  # rows that one transaction takes over from a damaged file
+
+
+def _silent(_: str) -> None:
+    """Say nothing."""
+
+
+class Store:
+    """The store in one folder; a context manager that holds its lock.
+
+    Whoever writes waits for the lock and sets aside what is damaged when it opens the file, with a
+    line to `say` for each. Whoever only reads (`writing=False`) changes nothing, waits for nobody
+    and refuses a damaged file.
+    """
+
+    def __init__(
+        self, folder: Path, *, writing: bool = True, say: Callable[[str], None] = _silent
+    ) -> None:
+        """Name the folder; nothing is touched before the store is entered."""
+        self.folder = folder
+        self.path = folder / NAME
+        self._writing = writing
+        self._say = say
+        self._env: int | None = None
+        self._environment = ""
+        self._file: BufferedReader | None = None
+
+    def __enter__(self) -> Self:
+        """Lock and open; InputError for a folder that cannot be used, StoreError otherwise."""
+        self._lock = lock(self.folder, self._say) if self._writing else lock_to_read(self.folder)
+        try:
+            self._open()
+        except BaseException:
+            self._unlock()
+            raise
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Close and unlock."""
+        self._close()
+        self._unlock()
+
+    def _close(self) -> None:
+        with suppress(*UNREADABLE):  # what was committed is on disk already
+            self._database.close()
+        if self._file is not None:
+            self._file.close()
+            self._file = None
+
+    def _unlock(self) -> None:
+        if self._lock is not None:
+            self._lock.close()
+
+    def _open(self) -> None:
+        try:
+            if self._writing:
+                self._use(open_to_write(self.path))
+            else:
+                self._use(open_to_read(self.path, alone=self._lock is not None))
+        except DamageError as damage:
+            if not self._writing:
+                raise _with_cure(damage) from None
+            self._set_file_aside(damage)
+
+    def _use(self, database: sqlite3.Connection) -> None:
+        self._database = database
+        self._hides_none = False
+        with self._refusing():
+            self._row = row_query(packed=has_packed(database))
+
+    @contextmanager
+    def _refusing(self) -> Iterator[None]:
+        try:
+            with refusing(self.path):
+                yield
+        except DamageError as damage:
+            if self._writing:
+                raise
+            raise _with_cure(damage) from None
+
+    def begin(self, environment: Mapping[str, object]) -> None:
+        """Say under which environment the runs that follow are made."""
+        text = json.dumps(environment, sort_keys=True)
+        with self._refusing(), self._database:
+            self._database.execute("insert or ignore into env(json) values (?)", (text,))
+            found = self._database.execute(
+                "select id from env not indexed where json = ?", (text,)
+            ).fetchone()
+            number = found[0] if found else None  # where the index alone has it
+            if not isinstance(number, int):
+                message = f"{self.path}: an environment is damaged"
+                raise DamageError(message)
+            self._env = number
+            self._environment = text
+
+    def missing(self, tasks: Iterable[Task]) -> list[Task]:
+        """Return the tasks without a finished run, in order; failed runs are tried again.
+
+        Raises DamageError for a run that is missing because its row is damaged.
+        """
+        finished = self.finished()
+        missing = [task for task in tasks if task.key not in finished]
+        for task in missing:
+            number = self._number(task)
+            if number is not None:
+                self._record(task, number)
+        return missing
+
+    def _number(self, task: Task) -> Any:  # noqa: ANN401 (what a damaged index holds)
+        """Return the id that the index has for a task; None where it has none."""
+        with self._refusing():
+            query = "select id from run indexed by sqlite_autoindex_run_1 where key = ?"
+            found = self._database.execute(query, (task.key,)).fetchone()
+        return found[0] if found else None
+
+    def _refuse_hidden(self) -> None:
+        """Raise DamageError where the index hides a row; looked at once."""
+        if self._hides_none:
+            return
+        query = """select count(*) from run as whole not indexed where not exists (
+            select 1 from run indexed by sqlite_autoindex_run_1
+            where key = whole.key and id = whole.id)"""
+        with self._refusing():
+            if self._database.execute(query).fetchone() != (0,):
+                message = f"{self.path}: the index is damaged"
+                raise DamageError(message)
+        self._hides_none = True
+
+    def _record(self, task: Task, number: int) -> Record:
+        with self._refusing():
+            row = self._database.execute(self._row, (number,)).fetchone()
+            record = record_of(task, row)
+            if record is None:
+                message = f"{self.path}: the row of {task.name} is damaged"
+                raise DamageError(message)
+        return record
+
+    def finished(self) -> frozenset[str]:
+        """Return the keys of all finished runs."""
+        with self._refusing():
+            rows = self._database.execute("select key from run where reason is null")
+            return frozenset(key for (key,) in rows)
+
+    def fingerprint(self) -> str | None:
+        """Return a digest of the whole file; None while a reader keeps runs in the journal."""
+        with self._refusing():
+            (busy, *_) = self._database.execute("pragma wal_checkpoint(truncate)").fetchone()
+        if busy:
+            return None
+        if self._file is None:
+            # open as long as the database: closing a handle of a file drops all its locks (POSIX)
+            self._file = self.path.open("rb")
+        self._file.seek(0)
+        return hashlib.file_digest(self._file, "sha256").hexdigest()
+
+    def repeats(self) -> int:
+        """Return how many repeats the runs are of; a damaged row adds one at most."""
+        with self._refusing():
+            found = self._database.execute("select count(distinct repeat) from run").fetchone()
+            return int(found[0])
+
+    def add(self, records: Iterable[Record]) -> None:
+        """Write finished runs in one transaction."""
+        marks = ", ".join("?" * 14)
+        with self._refusing(), self._database:
+            for record in records:
+                values = values_of(record, self._env)
+                curve = curve_of(record)
+                self._database.execute(
+                    "delete from curve where id = (select id from run where key = ?)", values[:1]
+                )
+                added = self._database.execute(
+                    f"insert or replace into run({COLUMNS}, sha) values ({marks})",  # noqa: S608
+                    (*values, digest(values, self._environment, curve)),
+                )
+                self._database.execute(
+                    "insert into curve(id, y, packed) values (?, ?, 1)",
+                    (added.lastrowid, pack(curve)),
+                )
+
+    def records(self, tasks: Iterable[Task]) -> Iterator[Record]:
+        """Yield the stored record of each task that has one, in the order of the tasks.
+
+        Raises DamageError for a row that is not what was written.
+        """
+        for task in tasks:
+            number = self._number(task)
+            if number is None:
+                self._refuse_hidden()
+            else:
+                yield self._record(task, number)
+
+    def environments(self, tasks: Iterable[Task]) -> list[dict[str, object]]:
+        """Return the environments in which the stored runs of these tasks were made, in order."""
+        wanted = {task.key for task in tasks}
+        with self._refusing():
+            rows = self._database.execute("select key, env from run not indexed")
+            used = {env for key, env in rows if key in wanted}
+            texts = dict(self._database.execute("select id, json from env").fetchall())
+            try:
+                return [json.loads(texts[env]) for env in sorted(used)]
+            except (KeyError, TypeError, ValueError):
+                message = f"{self.path}: the environment of a run is damaged"
+                raise DamageError(message) from None
+
+    def damaged(self) -> Iterator[str]:
+        """Yield the name of every row that is not what was written."""
+        with self._refusing():
+            yield from (name for _, name in damaged_rows(self._database))
+
+    def set_rows_aside(self) -> int:
+        """Set aside and name every damaged row, and return their number."""
+        with self._refusing():
+            found = list(damaged_rows(self._database))
+            if found:
+                set_aside(self._database, [number for number, _ in found])
+        for _, name in found[:_NAMED]:
+            self._say(
+                f"{self.path}: the row of {name} is damaged; it is set aside in the table "
+                "`damaged`, and the run is made again where it is asked for"
+            )
+        if len(found) > _NAMED:
+            self._say(f"{self.path}: {len(found) - _NAMED} more rows are set aside likewise")
+        return len(found)
+
+    def mend(self, damage: DamageError) -> None:
+        """Set aside the rows that are damaged, or else the file, of which whole rows are kept."""
+        try:
+            found = self.set_rows_aside()
+        except StoreError:
+            found = 0
+        if not found:
+            self._close()
+            self._set_file_aside(damage)
+
+    def _set_file_aside(self, damage: DamageError) -> None:
+        with refusing(self.folder):
+            aside = set_file_aside(self.folder)
+        self._use(open_to_write(self.path))
+        rows = whole_rows(aside)
+        kept = 0
+        with self._refusing():
+            while batch := list(islice(rows, _AT_ONCE)):
+                with self._database:
+                    for row in batch:
+                        take_over(self._database, row)
+                kept += len(batch)
+        self._say(
+            f"{damage}; it is set aside as {aside}, {kept} whole runs are taken over from it, "
+            "and any other is made again where it is asked for"
+        )
+
+
+def _with_cure(damage: DamageError) -> DamageError:
+    return DamageError(f"{damage}; `repro reproduce` sets it aside and runs again what it held")
+
+
+def finished_keys(folder: Path) -> frozenset[str]:
+    """Return the keys of all finished runs in a store that is only read; none where none is."""
+    with Store(folder, writing=False) as store:
+        return store.finished()

@@ -1,0 +1,1 @@
+"""Who makes the runs: here, in processes, on a cluster."""

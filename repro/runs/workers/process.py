@@ -1,0 +1,139 @@
+"""A process of its own for runs that would hold the interpreter, or that may crash.
+
+The process reads from one end of a socket pair whose other end only the driver has: when the
+driver ends, however it ends, the process reads the end of the file and is gone at once.
+"""
+
+import os
+import pickle
+import signal
+import subprocess
+import sys
+from contextlib import suppress
+from multiprocessing import Pipe
+from multiprocessing.connection import Connection
+from queue import SimpleQueue
+from threading import Event, Thread
+
+from repro.runs.plan import Task
+from repro.runs.run import Record, execute, failed
+from repro.runs.workers.pickling import pack, stripped, unpack
+
+TRIES = 3  # deaths of a worker that one task may cause before it is named and given up
+_PROGRAM = (
+    "import sys; sys.path[:] = sys.argv[2:]; "
+    "from repro.runs.workers.process import serve; serve(int(sys.argv[1]))"
+)
+# one thread per run: the engine itself spreads runs over the cores
+_ONE_THREAD = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
+
+
+class StoppedError(Exception):
+    """The process was told to stop before its run was over."""
+
+
+class WorkerProcess:
+    """One process, started when it is first needed and again when it has died."""
+
+    def __init__(self) -> None:
+        """Start nothing yet."""
+        self._process: subprocess.Popen[bytes] | None = None
+        self._connection: Connection | None = None
+        self._stopped = Event()
+
+    def execute(self, task: Task) -> Record:
+        """Return the record of one run.
+
+        A task that cannot be sent, of a class that was made up in a script say, runs here. One
+        that has killed its worker three times is a failed run that says so.
+        """
+        try:
+            payload = pack((task,))
+        except (pickle.PicklingError, AttributeError, TypeError):
+            return execute(task)
+        for _ in range(TRIES):
+            answer = self._ask(payload)
+            if answer is not None:
+                values = pickle.loads(answer)  # noqa: S301 (from our own process)
+                return execute(task) if values is None else Record(task=task, **values)
+            ending = self._ending()
+            if self._stopped.is_set():
+                raise StoppedError
+        return failed(task, f"its worker died {TRIES} times, the last time by {ending}", 0.0)
+
+    def _ask(self, payload: bytes) -> bytes | None:
+        """Return the answer of the process, or None where it has died."""
+        connection = self._connection or self._started()
+        try:
+            connection.send_bytes(payload)
+            return connection.recv_bytes()
+        except (EOFError, OSError):
+            return None
+
+    def _started(self) -> Connection:
+        if self._stopped.is_set():
+            raise StoppedError
+        ours, theirs = Pipe()
+        with theirs:
+            self._process = subprocess.Popen(  # noqa: S603 (our own program)
+                (sys.executable, "-c", _PROGRAM, str(theirs.fileno()), *sys.path),
+                pass_fds=(theirs.fileno(),),
+                stdin=subprocess.DEVNULL,
+                env={**os.environ, **_ONE_THREAD},
+                start_new_session=True,  # Ctrl-C is for the driver, which decides what it means
+            )
+        self._connection = ours
+        if self._stopped.is_set():  # told to stop meanwhile
+            self.kill()
+        return ours
+
+    def _ending(self) -> str:
+        """Return what ended the process, and clear up behind it."""
+        self.close()
+        code = self._process.wait() if self._process else 0
+        return signal.Signals(-code).name if code < 0 else f"exit code {code}"
+
+    def kill(self) -> None:
+        """End the process at once, from any thread; its run is lost and no other is started."""
+        self._stopped.set()
+        process = self._process
+        if process:
+            process.kill()
+            process.wait()
+
+    def close(self) -> None:
+        """Let the process end, which it does when nobody can write to it."""
+        if self._connection and self._process:
+            self._connection.close()
+            self._connection = None
+            try:
+                self._process.wait(5)
+            except subprocess.TimeoutExpired:
+                self._process.kill()
+                self._process.wait()
+
+
+def serve(handle: int) -> None:
+    """Run what arrives on a connection until its other end is closed."""
+    connection = Connection(handle)
+    payloads: SimpleQueue[bytes] = SimpleQueue()
+    Thread(target=_listen, args=(connection, payloads), daemon=True).start()
+    while True:
+        connection.send_bytes(_answer(payloads.get()))
+
+
+def _listen(connection: Connection, payloads: SimpleQueue[bytes]) -> None:
+    """Hand payloads on; end the process with its driver, even in the middle of a run."""
+    with suppress(EOFError, OSError):
+        while True:
+            payloads.put(connection.recv_bytes())
+    os._exit(0)
+
+
+def _answer(payload: bytes) -> bytes:
+    """Return the packed record of a run, or a packed None for a task that is unknown here."""
+    try:
+        (task,) = unpack(payload)
+    except Exception:  # noqa: BLE001 (whatever importing a stranger's module raises)
+        return pickle.dumps(None)
+    return pickle.dumps(stripped(execute(task)))

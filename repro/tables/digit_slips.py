@@ -1,0 +1,52 @@
+"""One slip in a printed number: a digit changed, lost or added, or two neighbours exchanged."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from itertools import pairwise
+
+from repro.tables.published import Printed
+
+DIGITS = "0123456789"
+
+
+@dataclass(frozen=True, slots=True)
+class Slip:
+    """What may have been meant, and what would have gone wrong."""
+
+    meant: Printed
+    words: str
+
+
+def slips(printed: Printed) -> Iterator[Slip]:
+    """Yield every number that one slip turns into the printed one, each once."""
+    body = printed.text.replace("−", "-").strip()
+    power = min((body.find(mark) for mark in "×xeE" if mark in body), default=len(body))
+    mantissa, rest = body[:power], body[power:]
+    seen = {mantissa}
+    for text, words in (*_changed(mantissa), *_exchanged(mantissa), *_lost(mantissa)):
+        if text not in seen:
+            seen.add(text)
+            yield Slip(replace(printed, text=text + rest), words)
+
+
+def _changed(mantissa: str) -> Iterator[tuple[str, str]]:
+    for i, mark in enumerate(mantissa):
+        if mark.isdigit():
+            for digit in DIGITS:
+                yield mantissa[:i] + digit + mantissa[i + 1 :], "one digit changed"
+
+
+def _exchanged(mantissa: str) -> Iterator[tuple[str, str]]:
+    places = [i for i, mark in enumerate(mantissa) if mark.isdigit()]
+    for i, j in pairwise(places):
+        marks = list(mantissa)
+        marks[i], marks[j] = marks[j], marks[i]
+        yield "".join(marks), "two neighbouring digits exchanged"
+
+
+def _lost(mantissa: str) -> Iterator[tuple[str, str]]:
+    """Yield what loses a decimal on the way to the print; a lost digit before the point shows."""
+    point = mantissa.find(".")
+    for i in range(point + 1, len(mantissa) + 1) if point >= 0 else ():
+        for digit in DIGITS:
+            yield mantissa[:i] + digit + mantissa[i:], "one digit lost"

@@ -1,0 +1,108 @@
+"""best ≤ mean ≤ worst, and a mean that n runs with this best and worst can have."""
+
+import math
+from collections.abc import Iterator
+from fractions import Fraction
+
+from repro.tables.blocks import Block
+from repro.tables.rows import AuditRow, Grade, audit_row
+from repro.tables.true_numbers import Span, shown
+
+ORDERED = (("best", "median"), ("median", "worst"), ("best", "worst"))
+MANY = 10**6  # from here on a number of runs is shown in round figures
+
+
+def order_rows(paper: str, block: Block) -> Iterator[AuditRow]:
+    """Yield a row per pair that stands in the wrong order, and one for a mean out of reach."""
+    for lower, upper in ORDERED:
+        low, high = block.span(lower), block.span(upper)
+        if low and high and low.low > high.high:
+            yield audit_row(
+                paper,
+                (block.cell(lower), block.cell(upper)),
+                check="order",
+                grade=Grade.IMPOSSIBLE,
+                explanation=(
+                    f"{lower} {block.printed(lower).text} is greater than {upper} "
+                    f"{block.printed(upper).text}: at least {shown(low.low)} against at most "
+                    f"{shown(high.high)}"
+                ),
+            )
+    for explanation in (_mean_too_low(block), _mean_too_high(block)):
+        if explanation:
+            yield audit_row(
+                paper,
+                (block.cell("mean"),),
+                check="mean-bound",
+                grade=Grade.IMPOSSIBLE,
+                explanation=explanation,
+            )
+
+
+def mean_is_attainable(block: Block) -> bool:
+    """Say whether n runs with the printed best and worst can have the printed mean."""
+    return not (_mean_too_low(block) or _mean_too_high(block))
+
+
+def _mean_too_low(block: Block) -> str:
+    best, mean, worst = (block.span(name) for name in ("best", "mean", "worst"))
+    if not mean or not best:
+        return ""
+    if mean.high < best.low:
+        return (
+            f"the mean {block.printed('mean').text}, at most {shown(mean.high)} with rounding, "
+            f"lies below the best {block.printed('best').text}, at least {shown(best.low)}: no "
+            "number of runs allows that"
+        )
+    if not worst:
+        return ""
+    least = (worst.low + (block.n - 1) * best.low) / block.n
+    if mean.high >= least:
+        return ""
+    runs = _runs_needed(far=worst.low - best.low, near=mean.high - best.low)
+    return (
+        f"one of {block.n} runs is the worst {block.printed('worst').text}, none is below the best "
+        f"{block.printed('best').text}, so the mean is at least "
+        f"({shown(worst.low)} + {block.n - 1} × {shown(best.low)})/{block.n} = {shown(least)}; "
+        f"printed is {block.printed('mean').text}, at most {shown(mean.high)}. {runs}"
+    )
+
+
+def _mean_too_high(block: Block) -> str:
+    best, mean, worst = (block.span(name) for name in ("best", "mean", "worst"))
+    if not mean or not worst:
+        return ""
+    if mean.low > worst.high:
+        return (
+            f"the mean {block.printed('mean').text}, at least {shown(mean.low)} with rounding, "
+            f"lies above the worst {block.printed('worst').text}, at most {shown(worst.high)}: no "
+            "number of runs allows that"
+        )
+    if not best:
+        return ""
+    greatest = (best.high + (block.n - 1) * worst.high) / block.n
+    if mean.low <= greatest:
+        return ""
+    runs = _runs_needed(far=worst.high - best.high, near=worst.high - mean.low)
+    return (
+        f"one of {block.n} runs is the best {block.printed('best').text}, none is above the worst "
+        f"{block.printed('worst').text}, so the mean is at most "
+        f"({shown(best.high)} + {block.n - 1} × {shown(worst.high)})/{block.n} = "
+        f"{shown(greatest)}; printed is {block.printed('mean').text}, at least {shown(mean.low)}. "
+        f"{runs}"
+    )
+
+
+def _runs_needed(*, far: Fraction, near: Fraction) -> str:
+    """Say how many runs would bring the mean so near to one extreme."""
+    if near <= 0:
+        return "No number of runs allows it"
+    runs = math.ceil(far / near)
+    return f"It would take {runs if runs < MANY else shown(runs)} runs or more"
+
+
+def gap(upper: Span | None, lower: Span | None) -> Fraction | None:
+    """Return by how much `upper` exceeds `lower` at least, 0 where it need not; None if unknown."""
+    if upper is None or lower is None:
+        return None
+    return max(Fraction(0), (upper - lower).low)

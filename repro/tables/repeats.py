@@ -1,0 +1,116 @@
+"""Equal numbers in places that have nothing to do with each other."""
+
+import itertools
+import math
+from collections import defaultdict
+from collections.abc import Iterator, Sequence
+
+from repro.tables.blocks import Block
+from repro.tables.published import Printed
+from repro.tables.relations import TableCell
+from repro.tables.rows import AuditRow, Grade, audit_row
+from repro.tables.true_numbers import shown
+
+DIGITS = 4  # significant digits from which an equal number is worth a note
+DIGITS_WITH_POWER = 3  # as above, where a power of ten agrees too
+DIGITS_OF_BLOCK = 6  # digits of a whole block that recur with other powers of ten
+CHANCE = 0.1  # agreeing pairs expected by chance from which on an agreement says nothing
+
+Entry = tuple[Block, str]  # a block and the name of one of its statistics
+
+
+def repeat_rows(paper: str, blocks: Sequence[Block]) -> Iterator[AuditRow]:
+    """Yield a row per number, and per set of digits, that recurs in different blocks."""
+    alike, equal = defaultdict(list), defaultdict(list)
+    for block in blocks:
+        for name in block.claims:
+            if _stands(block, name):
+                printed = block.printed(name)
+                size = (block.quantity, len(digits(printed)), _decade(printed))
+                alike[size].append((block, name))
+                equal[size, printed.value].append((block, name))
+    for (size, _), same in equal.items():
+        pairs = _pairs(alike[size])
+        chance = pairs / (9 * 10 ** (size[1] - 1))
+        if _pairs(same) and chance < CHANCE:
+            yield _equal_cells(paper, same, pairs=pairs, chance=chance)
+    yield from _equal_digits(paper, blocks)
+
+
+def _decade(printed: Printed) -> int:
+    return math.floor(math.log10(abs(printed.value)))
+
+
+def _pairs(entries: Sequence[Entry]) -> int:
+    """Return how many pairs of different blocks the entries form."""
+    return sum(one is not other for (one, _), (other, _) in itertools.combinations(entries, 2))
+
+
+def digits(printed: Printed) -> str:
+    """Return the significant digits without sign, point and power of ten."""
+    return _mantissa(printed).lstrip("+-").replace(".", "").lstrip("0")
+
+
+def _mantissa(printed: Printed) -> str:
+    text = printed.text.replace("−", "-")
+    for mark in "×xeE":
+        text = text.partition(mark)[0]
+    return text.strip()
+
+
+def _stands(block: Block, name: str) -> bool:
+    """Say whether the number is long enough to be telling, and not one that the function fixes."""
+    printed = block.printed(name)
+    scientific = any(mark in printed.text for mark in "×xeE")
+    if len(digits(printed)) < (DIGITS_WITH_POWER if scientific else DIGITS):
+        return False
+    function = block.function
+    if function is None:
+        return True
+    least = function(function.minimiser(block.problem.dimension))
+    return all(abs(printed.value - value) > printed.rounding for value in (least, function.minimum))
+
+
+def _equal_cells(paper: str, same: Sequence[Entry], *, pairs: int, chance: float) -> AuditRow:
+    block, name = same[0]
+    places = "; ".join(f"{b.problem_name} {statistic} of {b.algorithm}" for b, statistic in same)
+    return audit_row(
+        paper,
+        _cells(same),
+        check="repeat",
+        grade=Grade.NOTED,
+        explanation=(
+            f"{block.printed(name).text} stands in {len(same)} cells: {places}. The numbers of "
+            f"this length and power of ten form {pairs} pair{'s' * (pairs > 1)} across blocks; if "
+            f"digits were random, {shown(chance)} of these would agree"
+        ),
+    )
+
+
+def _equal_digits(paper: str, blocks: Sequence[Block]) -> Iterator[AuditRow]:
+    """Yield a row per series of digits that a whole block shares with others, powers aside."""
+    seen = defaultdict(list)
+    for block in blocks:
+        names = tuple(block.claims)
+        series = tuple(digits(block.printed(name)) for name in names)
+        if len(set(series)) == len(names) > 1 and sum(map(len, series)) >= DIGITS_OF_BLOCK:
+            seen[block.quantity, names, series].append(block)
+    for (_, names, _), same in seen.items():
+        values = {tuple(block.printed(name).value for name in names) for block in same}
+        if len(same) > 1 and len(values) > 1:
+            shown_digits = " and ".join(_mantissa(same[0].printed(name)) for name in names)
+            places = "; ".join(f"{block.algorithm} on {block.problem_name}" for block in same)
+            yield audit_row(
+                paper,
+                _cells(tuple(itertools.product(same, names))),
+                check="repeat-digits",
+                grade=Grade.NOTED,
+                explanation=(
+                    f"the digits {shown_digits} ({' and '.join(names)}) stand in "
+                    f"{len(same)} places, powers of ten aside: {places}"
+                ),
+            )
+
+
+def _cells(entries: Sequence[Entry]) -> tuple[TableCell, ...]:
+    return tuple(block.cell(name) for block, name in entries)
