@@ -24,7 +24,7 @@ from repro.model.paper import Paper
 from repro.model.tolerances import Percent
 from repro.runs.plan import Task, plan
 from repro.runs.run import Record
-from repro.runs.session import gather
+from repro.runs.gather import gather
 from repro.runs.store.store import Store
 from repro.tables.published import PublishedTable
 from tests.small_papers import EXPERIMENT, PAPER, Bowl, Guessing

@@ -26,7 +26,8 @@ from repro.model.paper import Paper
 from repro.report.pages import write_report
 from repro.runs.plan import Task, plan
 from repro.runs.run import Record, execute
-from repro.runs.session import gather, run_missing
+from repro.runs.gather import gather
+from repro.runs.session import run_missing
 from repro.runs.store.store import Store
 from repro.runs.workers.local import usable_cores
 

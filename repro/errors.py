@@ -1,5 +1,9 @@
 """What can go wrong, and the exit code that the command line gives for it."""
 
+SOME_RUN_FAILED = 1
+INTERRUPTED = 130
+TERMINATED = 143
+
 
 class ReproError(Exception):
     """An error whose message names the place, the value and the alternatives."""

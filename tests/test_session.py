@@ -13,7 +13,8 @@ from repro.model.paper import Paper
 from repro.optimisers import WOA
 from repro.runs.plan import Task, plan
 from repro.runs.run import Record
-from repro.runs.session import gather, run_missing
+from repro.runs.gather import gather
+from repro.runs.session import run_missing
 from repro.runs.store.store import Store
 from repro.runs.studies import Study
 from tests.small_papers import CLAIMS, EXPERIMENT, PAPER, Failing, Guessing, searching

@@ -4,19 +4,8 @@ import shlex
 
 import pytest
 
-from repro.report.words import (
-    again_command,
-    anchor,
-    difference,
-    digits_for,
-    identifiers,
-    interval,
-    markdown_cell,
-    number,
-    raised,
-    share,
-    verdict_words,
-)
+from repro.model.identifiers import anchor, identifiers
+from repro.report.words import again_command, difference, digits_for, interval, markdown_cell, number, raised, share, verdict_words
 from repro.tables.published import Printed
 
 

@@ -8,12 +8,12 @@ coincidence or a place to look.
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from repro.audit.doubles import double_rows
+from repro.audit.blocks import blocks
 from repro.audit.poses import pose_rows
 from repro.audit.sentences import sentence_rows
 from repro.audit.times import time_rows
 from repro.model.paper import Paper
-from repro.tables.blocks import blocks
+from repro.tables.doubles import double_rows
 from repro.tables.inputs import range_rows, same_rows, spacing_rows
 from repro.tables.order import order_rows
 from repro.tables.probabilities import p_value_rows

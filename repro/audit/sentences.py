@@ -16,7 +16,7 @@ Cells = Mapping[Statistic, TableCell]
 def sentence_rows(paper: Paper) -> Iterator[AuditRow]:
     """Yield a row per sentence that the printed table itself contradicts."""
     cells = {
-        claim.measure: TableCell(table=claim.table, row=claim.row, column=claim.column)
+        claim.measure: claim.cell
         for claim in paper.claims
         if isinstance(claim, CellClaim) and isinstance(claim.measure, Statistic)
     }

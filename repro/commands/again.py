@@ -1,17 +1,23 @@
-"""One printed number once more: run what it needs, and nothing else."""
+"""`repro again`: one printed number once more; what it needs is run, and nothing else."""
 
+import sys
+from argparse import Namespace
 from concurrent.futures import Executor
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from repro.commands import catalogue
 from repro.errors import InputError, ReproError
 from repro.model.claims import CellClaim, Claim
+from repro.model.identifiers import claim_names, place_of
 from repro.model.paper import Paper
-from repro.report.words import digits_for, identifiers, interval, number
+from repro.report.words import digits_for, interval, number
+from repro.runs.gather import gather
 from repro.runs.plan import plan
-from repro.runs.session import gather, run_missing
+from repro.runs.session import run_missing
 from repro.runs.store.store import Store
+from repro.runs.workers.local import checked_workers, local
 from repro.tables.published import UNITS
 
 MOST_NAMES = 8  # that an error lists
@@ -41,12 +47,28 @@ class Again:
         runs = f"{self.runs} run{'s' * (self.runs > 1)}"
         how = f"first repeat, {runs}" if self.runs else "computed, no run"
         return (
-            f"{', '.join(_place(claim))}\n"
+            f"{', '.join(place_of(claim))}\n"
             f"  printed   {'in words' if worded else claim.printed.text + unit}\n"
             f"  re-run    {number(self.value, digits)}{unit}"
             f" ({claim.measure.words if claim.measure else ''}; {how})\n"
             f"  accepted  {interval(claim.accepted.band(claim.printed), digits)}{unit}\n"
         )
+
+
+def run(options: Namespace) -> int:
+    """Print what the first repeat gives for the number here and now."""
+    (paper,) = catalogue.chosen([options.key])
+    workers = checked_workers(options.workers)
+    with local(workers) as executor:
+        found = run_again(
+            paper,
+            options.name,
+            executor=executor,
+            workers=workers,
+            master_seed=options.master_seed,
+        )
+    sys.stdout.write(found.text)
+    return 0
 
 
 def run_again(
@@ -79,7 +101,7 @@ def run_again(
 
 def named_claim(paper: Paper, name: str) -> Claim:
     """Return the claim of that identifier, or the only one with `name` in its identifier."""
-    names = dict(zip(identifiers(map(_place, paper.claims)), paper.claims, strict=True))
+    names = dict(zip(claim_names(paper.claims), paper.claims, strict=True))
     if name in names:
         return names[name]
     near = [known for known in names if name in known]
@@ -88,12 +110,6 @@ def named_claim(paper: Paper, name: str) -> Claim:
     listed = "\n  ".join((near or list(names))[:MOST_NAMES])
     message = f"{paper.key} has {len(near) or 'no'} numbers named {name!r}; some names:\n  {listed}"
     raise InputError(message)
-
-
-def _place(claim: Claim) -> tuple[str, ...]:
-    if isinstance(claim, CellClaim):
-        return claim.table.label, claim.row, claim.column
-    return "claim", claim.claim
 
 
 def _silent(_done: int, _of: int) -> None:

@@ -1,10 +1,9 @@
 """What the command line accepts."""
 
 import argparse
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-Command = Callable[[argparse.Namespace], int]
 DEFAULT_REPEATS = 10
 STORE, REPORTS, PRIVATE = Path(".repro"), Path("reports"), Path("reports-private")
 _AGAIN = (
@@ -25,18 +24,16 @@ _TEXTS = {
 }
 
 
-def parsed(
-    commands: Mapping[str, Command], arguments: Sequence[str] | None = None
-) -> argparse.Namespace:
+def parsed(arguments: Sequence[str] | None = None) -> argparse.Namespace:
     """Return the options; what a command does not know ends the program with that one's usage."""
-    options, unknown = parser(commands).parse_known_args(arguments)
+    options, unknown = parser().parse_known_args(arguments)
     if unknown:
         options.named.error(f"unrecognized arguments: {' '.join(unknown)}")
     return options
 
 
-def parser(commands: Mapping[str, Command]) -> argparse.ArgumentParser:
-    """Return the parser; the options that it gives have the `command` to call, by its name."""
+def parser() -> argparse.ArgumentParser:
+    """Return the parser; the options that it gives have the name of the `command` to call."""
     whole = argparse.ArgumentParser(
         prog="repro", description="Re-run published papers and say, number by number, what holds."
     )
@@ -45,7 +42,7 @@ def parser(commands: Mapping[str, Command]) -> argparse.ArgumentParser:
     for name, text in _TEXTS.items():
         description = _AGAIN if name == "again" else text
         parsers[name] = added.add_parser(name, help=text, description=description)
-        parsers[name].set_defaults(command=commands[name], named=parsers[name])
+        parsers[name].set_defaults(command=name, named=parsers[name])
     _add_names(parsers)
     _add_runs(parsers)
     _add_places(parsers)

@@ -1,25 +1,32 @@
-"""A user's search under every protocol, and a private report of where it stands."""
+"""`repro compare`: a user's search under every protocol, and a private report of it."""
 
+import sys
+from argparse import Namespace
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from repro.commands import catalogue
+from repro.commands.progress import Progress
+from repro.commands.shown_rows import warn
 from repro.determinism.provenance import provenance
-from repro.errors import InputError
+from repro.errors import SOME_RUN_FAILED, InputError
 from repro.judge.certificates import certify
+from repro.judge.users_search import users_search
+from repro.model.identifiers import anchor
 from repro.model.paper import Paper
 from repro.optimisers.libraries import BASELINES
 from repro.optimisers.users_search import Entrant, entrant
 from repro.report.files import usable_folder, write_file
 from repro.report.pages import render
-from repro.report.views.users_search import Comparison, comparison
-from repro.report.words import anchor
+from repro.report.views.users_search import UsersSearchView, users_search_view
+from repro.runs.gather import gather
 from repro.runs.plan import Task, plan
 from repro.runs.run import Record
-from repro.runs.session import gather, run_missing
+from repro.runs.session import run_missing
 from repro.runs.store.store import Store
 from repro.runs.studies import PER_STUDY, studies
-from repro.runs.workers.local import local
+from repro.runs.workers.local import checked_workers, local
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -28,6 +35,24 @@ class Compared:
 
     page: Path
     failed: tuple[Record, ...]
+
+
+def run(options: Namespace) -> int:
+    """Run the search, write its report, and say where that is."""
+    compared = compare(
+        options.search,
+        catalogue.chosen(options.keys),
+        name=options.name,
+        repeats=options.repeats,
+        store=options.store,
+        folder=options.reports,
+        workers=checked_workers(options.workers),
+        report=Progress(),
+    )
+    for record in compared.failed:
+        warn(f"run {record.task.name} failed: {record.reason}")
+    sys.stdout.write(f"page: {compared.page}\n")
+    return SOME_RUN_FAILED if compared.failed else 0
 
 
 def compare(
@@ -58,7 +83,7 @@ def compare(
                 environment=provenance, report=report,
             )  # fmt: skip
         compared = [
-            (paper, _comparisons(opened, paper, own[paper.key], tasks, called)) for paper in papers
+            (paper, _views(opened, paper, own[paper.key], tasks, called)) for paper in papers
         ]
     context = {"name": called, "place": place, "repeats": repeats, "papers": compared,
                "failed": [(record.task.name, record.reason) for record in failed]}  # fmt: skip
@@ -83,14 +108,14 @@ def entered(paper: Paper, name: str, found: Entrant) -> Paper:
     return replace(bare, experiments=experiments)
 
 
-def _comparisons(
+def _views(
     store: Store, paper: Paper, own: Paper, tasks: Iterable[Task], name: str
-) -> tuple[Comparison, ...]:
+) -> tuple[UsersSearchView, ...]:
     published = gather(store, paper, plan([paper], PER_STUDY), studies(paper, PER_STUDY))
     runs = {**published.runs, **gather(store, own, tasks).runs}
     certificates = certify(paper)
     return tuple(
-        comparison(paper, experiment, runs, certificates, name=name)
+        users_search_view(users_search(paper, experiment, runs, certificates, name=name))
         for experiment in paper.experiments
     )
 

@@ -12,6 +12,7 @@ from repro.judge.certificates import Certificate
 from repro.judge.known_minimum import KnownMinimum, known_minimum
 from repro.model.evidence import Cell, Runs
 from repro.model.experiment import Experiment
+from repro.model.paper import Paper
 from repro.optimisers.libraries import BASELINES
 from repro.runs.baseline_study import BASELINE_STUDY
 from repro.runs.equal_budget import EQUAL_BUDGET, unequal
@@ -19,7 +20,7 @@ from repro.runs.studies import study_name
 from repro.statistics.summary import mean
 
 Vector = NDArray[np.float64]
-Kind = Literal["printed protocol", "equal evaluations", "baseline", "yours"]
+StandingKind = Literal["printed protocol", "equal evaluations", "baseline", "yours"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -33,7 +34,7 @@ class Standing:
     """
 
     algorithm: str
-    kind: Kind
+    kind: StandingKind
     costs: Vector
     evaluations: int
     seconds: float
@@ -71,6 +72,45 @@ class BudgetRow:
     equal_rank: float
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ExperimentStandings:
+    """Every algorithm of one experiment and every baseline, problem by problem.
+
+    `budgets` is empty where all of the paper's algorithms spend the same, or were not run again.
+    """
+
+    experiment: Experiment
+    problems: tuple[ProblemStandings, ...]
+    budgets: tuple[BudgetRow, ...]
+
+
+def paper_standings(
+    paper: Paper, runs: Mapping[Cell, Runs], certificates: Sequence[Certificate]
+) -> tuple[ExperimentStandings, ...]:
+    """Return the standings of every experiment with runs of baselines or at another budget."""
+    found = (experiment_standings(each, runs, certificates) for each in paper.experiments)
+    return tuple(
+        each
+        for each in found
+        if each.budgets or any(row.kind == "baseline" for p in each.problems for row in p.rows)
+    )
+
+
+def experiment_standings(
+    experiment: Experiment,
+    runs: Mapping[Cell, Runs],
+    certificates: Sequence[Certificate],
+    *,
+    yours: Sequence[str] = (),
+) -> ExperimentStandings:
+    """Return the standings of one experiment; `yours` are found in its own cells."""
+    return ExperimentStandings(
+        experiment=experiment,
+        problems=standings(experiment, runs, certificates, yours=yours),
+        budgets=budget_rows(experiment, runs),
+    )
+
+
 def standings(
     experiment: Experiment,
     runs: Mapping[Cell, Runs],
@@ -97,7 +137,7 @@ def standings(
 
 def _places(
     experiment: Experiment, problem: str, yours: Sequence[str]
-) -> Iterable[tuple[str, Kind, Cell]]:
+) -> Iterable[tuple[str, StandingKind, Cell]]:
     equal, baseline = (
         study_name(experiment.name, departs) for departs in (EQUAL_BUDGET, BASELINE_STUDY)
     )
@@ -110,7 +150,7 @@ def _places(
         yield name, "baseline", (baseline, problem, name)
 
 
-def _standing(name: str, kind: Kind, runs: Runs, minimum: KnownMinimum | None) -> Standing:
+def _standing(name: str, kind: StandingKind, runs: Runs, minimum: KnownMinimum | None) -> Standing:
     costs = runs.costs[0]
     return Standing(
         algorithm=name,
@@ -134,9 +174,9 @@ def _ranked(rows: Sequence[Standing], leave_out: Iterable[str]) -> tuple[Standin
     )
 
 
-def mean_ranks(problems: Sequence[ProblemStandings]) -> Mapping[tuple[str, Kind], float]:
+def mean_ranks(problems: Sequence[ProblemStandings]) -> Mapping[tuple[str, StandingKind], float]:
     """Return the mean rank over all problems, of each algorithm that has a rank on every one."""
-    ranks: dict[tuple[str, Kind], list[float]] = {}
+    ranks: dict[tuple[str, StandingKind], list[float]] = {}
     for standing in problems:
         for row in standing.rows:
             if row.rank is not None:

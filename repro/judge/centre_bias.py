@@ -14,6 +14,11 @@ from numpy.typing import NDArray
 from scipy.stats import rankdata
 
 from repro.determinism.seeds import generator
+from repro.model.evidence import Evidence
+from repro.model.experiment import Experiment
+from repro.model.paper import Paper
+from repro.runs.moved_optima import CONTROL, FLOOR, IN_PLACE, SHARES, centred, shift_name
+from repro.runs.studies import study_name
 from repro.statistics.rank_sum import holm
 from repro.statistics.signed_rank import signed_rank_p
 from repro.statistics.summary import mean
@@ -65,6 +70,69 @@ class RanksAtShift:
     def place(self, algorithm: str) -> int:
         """Return the place by mean rank, 1 for the lowest; ties share the better place."""
         return 1 + sum(rank < self.ranks[algorithm] for rank in self.ranks.values())
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CentreBias:
+    """What shifts of one experiment's functions do to its algorithms, over `runs` runs each.
+
+    `algorithms` are its own, then control and floor; `left_out` are the problems that are not
+    shifted; `ranks` are those of its own algorithms, in place first.
+    """
+
+    experiment: Experiment
+    algorithms: tuple[str, ...]
+    problems: tuple[str, ...]
+    left_out: tuple[str, ...]
+    runs: int
+    biases: tuple[Bias, ...]
+    ranks: tuple[RanksAtShift, ...]
+
+    @property
+    def flagged(self) -> tuple[str, ...]:
+        """The algorithms that have a centre bias at some shift."""
+        return tuple(dict.fromkeys(bias.algorithm for bias in self.biases if bias.flagged))
+
+
+def centre_biases(paper: Paper, evidence: Evidence) -> tuple[CentreBias, ...]:
+    """Return the biases of every experiment of the paper whose shifted runs are all there."""
+    found = [(e, shift_costs(evidence, e)) for e in paper.experiments if centred(e)]
+    return tuple(_centre_bias(each, costs) for each, costs in found if costs)
+
+
+def _centre_bias(experiment: Experiment, costs: Costs) -> CentreBias:
+    problems = centred(experiment)
+    names = (*experiment.algorithms, CONTROL, FLOOR)
+    minima = {problem: experiment.problems[problem].function.minimum for problem in problems}
+    return CentreBias(
+        experiment=experiment,
+        algorithms=names,
+        problems=problems,
+        left_out=tuple(name for name in experiment.problems if name not in problems),
+        runs=next(iter(costs.values())).size,
+        biases=tuple(biases(costs, minima, names)),
+        ranks=tuple(standings(costs, problems, tuple(experiment.algorithms))),
+    )
+
+
+def shift_costs(evidence: Evidence, experiment: Experiment) -> Costs:
+    """Return final costs by (shift, problem, algorithm), the same repeats of each; or nothing.
+
+    In place, the paper's algorithms have the runs of the protocol, of which the first repeats
+    count that the shifted ones have too. Nothing is returned unless all of them are there.
+    """
+    costs = {}
+    for share in (IN_PLACE, *SHARES):
+        aside = study_name(experiment.name, shift_name(share))
+        for problem in centred(experiment):
+            for name in (*experiment.algorithms, CONTROL, FLOOR):
+                own = share == IN_PLACE and name in experiment.algorithms
+                runs = evidence.runs.get((experiment.name if own else aside, problem, name))
+                if runs is None:
+                    return {}
+                costs[share, problem, name] = runs.costs
+    repeats = min(len(values) for values in costs.values())
+    return {cell: values[:repeats] for cell, values in costs.items()}
 
 
 def shifts_of(costs: Costs) -> tuple[float, ...]:

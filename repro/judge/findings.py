@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
-from repro.judge.verdict import Verdict, judge
+from repro.judge.verdict import Verdict, verdict_of
 from repro.model.claims import CellClaim, Claim
 from repro.model.evidence import Cell, Evidence
 from repro.model.measures.measure import Measure, Measured
@@ -30,7 +30,7 @@ class ReadingOutcome:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class EvidenceUnder:
-    """A reading of the paper, its claims in the order of the paper's, and its evidence.
+    """The evidence under a reading of the paper, with its claims in the order of the paper's.
 
     `changed` are the cells whose runs are not the paper's.
     """
@@ -65,14 +65,16 @@ class Finding:
     readings: tuple[ReadingOutcome, ...] = ()
 
 
-def judge_paper(evidence: Evidence, others: Iterable[EvidenceUnder] = ()) -> tuple[Finding, ...]:
-    """Return one finding per claim of the paper, in the order of declaration.
+def findings_of(
+    claims: Iterable[Claim], evidence: Evidence, others: Iterable[EvidenceUnder] = ()
+) -> tuple[Finding, ...]:
+    """Return one finding per claim, in the order of declaration.
 
-    A contradicted number is judged again under every reading of the paper that bears on it.
+    A contradicted number is judged again under every other reading that bears on it.
     """
     varied = tuple(others)
     findings = []
-    for position, claim in enumerate(evidence.paper.claims):
+    for position, claim in enumerate(claims):
         finding = judged(claim, evidence)
         if finding.verdict is Verdict.CONTRADICTED:
             finding = replace(finding, readings=_readings(position, claim, varied))
@@ -114,7 +116,7 @@ def judged(claim: Claim, evidence: Evidence, *, halves: bool = True) -> Finding:
         return _named(claim, accepted, Verdict.NOT_RUN, note=f"no whole repeat of {names}")
     measured = claim.measure.measure(evidence)
     interval = _interval(claim, measured)
-    verdict, side = judge(interval, accepted)
+    verdict, side = verdict_of(interval, accepted)
     note = PROVISIONAL if measured.repeats == 1 else ""
     if halves and _flips(claim.measure, claim, evidence):
         verdict, side, note = Verdict.UNDECIDED, None, FLIPS
@@ -149,7 +151,7 @@ def _flips(measure: Measure, claim: Claim, evidence: Evidence) -> bool:
         return False
     accepted = claim.accepted.band(claim.printed)
     verdicts = {
-        judge(_interval(claim, measure.measure(half)), accepted) for half in evidence.halves()
+        verdict_of(_interval(claim, measure.measure(half)), accepted) for half in evidence.halves()
     }
     decided = {pair for pair in verdicts if pair[0] is not Verdict.UNDECIDED}
     return len(decided) > 1

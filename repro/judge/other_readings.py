@@ -10,6 +10,7 @@ from repro.judge.verdict import Verdict
 from repro.model.claims import CellClaim, Claim
 from repro.model.evidence import Cell, Evidence, Runs
 from repro.model.measures.measure import Statistic
+from repro.model.paper import Paper
 from repro.runs.readings import Reading, applied, changed_part, claims_under, readings
 from repro.runs.studies import study_name
 from repro.tables.published import UNITS
@@ -18,16 +19,16 @@ FARTHEST = 400.0  # decades: farther than any two positive doubles, for a 0 agai
 AS_CHOSEN = "as chosen"
 
 
-def evidence_under_readings(evidence: Evidence) -> tuple[EvidenceUnder, ...]:
-    """Return the paper under each of its readings whose runs are all there."""
-    found = (_varied(evidence, reading) for reading in readings(evidence.paper))
-    return tuple(varied for varied in found if varied)
+def evidence_under_readings(paper: Paper, evidence: Evidence) -> tuple[EvidenceUnder, ...]:
+    """Return the evidence under each reading of the paper whose runs are all there."""
+    found = (_under(paper, evidence, reading) for reading in readings(paper))
+    return tuple(under for under in found if under)
 
 
-def _varied(evidence: Evidence, reading: Reading) -> EvidenceUnder | None:
+def _under(paper: Paper, evidence: Evidence, reading: Reading) -> EvidenceUnder | None:
     experiments = []
     runs: dict[Cell, Runs] = {}
-    for experiment in evidence.paper.experiments:
+    for experiment in paper.experiments:
         part = changed_part(experiment, reading)
         if part is None:
             continue
@@ -40,7 +41,7 @@ def _varied(evidence: Evidence, reading: Reading) -> EvidenceUnder | None:
                 runs[experiment.name, problem, algorithm] = evidence.runs[name, problem, algorithm]
     return EvidenceUnder(
         reading=reading,
-        claims=claims_under(evidence.paper, reading),
+        claims=claims_under(paper, reading),
         evidence=evidence.under(experiments, runs),
         changed=frozenset(runs),
     )
@@ -68,19 +69,21 @@ class Print:
         return AS_CHOSEN
 
 
-def fingerprints(evidence: Evidence, others: Iterable[EvidenceUnder]) -> tuple[Print, ...]:
+def fingerprints(
+    claims: Sequence[Claim], evidence: Evidence, others: Iterable[EvidenceUnder]
+) -> tuple[Print, ...]:
     """Return the distance of each printed column of measured numbers under each reading.
 
     No reading is chosen because it is near.
     """
     varied = tuple(others)
     columns: dict[tuple[str, str], list[int]] = {}
-    for position, claim in enumerate(evidence.paper.claims):
+    for position, claim in enumerate(claims):
         if isinstance(claim, CellClaim) and isinstance(claim.measure, Statistic):
             columns.setdefault((claim.table.label, claim.column), []).append(position)
     found = []
     for (table, column), positions in columns.items():
-        own = [evidence.paper.claims[position] for position in positions]
+        own = [claims[position] for position in positions]
         chosen = _distance(own, evidence)
         distances = [
             (other.reading.name, _distance([other.claims[p] for p in positions], other.evidence))

@@ -1,6 +1,5 @@
 """Re-run times against the certificates: how near they come, and that none is below."""
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 
 from repro.errors import ReproError
@@ -55,15 +54,3 @@ def found_times(certificate: Certificate, evidence: Evidence) -> tuple[FoundTime
             )
         )
     return tuple(found)
-
-
-def time_rows(
-    certificate: Certificate, found: Iterable[FoundTime]
-) -> list[tuple[str, float, float]]:
-    """Return (label, seconds, ratio to the minimum) of printed and of found times."""
-    rows = [(f"printed: {p.label}", p.time, p.ratio) for p in certificate.printed]
-    for each in found:
-        label = f"re-run: {each.algorithm}, all repeats,"
-        rows.append((f"{label} mean", each.mean, each.mean_ratio))
-        rows.append((f"{label} best", each.least, each.least_ratio))
-    return rows

@@ -28,7 +28,7 @@ class Flip:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Comparison:
+class TwoResults:
     """How many verdicts were compared, and those that are not the same."""
 
     compared: int
@@ -72,7 +72,7 @@ class Comparison:
         return "\n".join(lines) + "\n"
 
 
-def compare(first: Json, second: Json) -> Comparison:
+def compare(first: Json, second: Json) -> TwoResults:
     """Return how the verdicts of two results.json differ.
 
     Raises InputError where they do not speak of the same numbers.
@@ -88,7 +88,7 @@ def compare(first: Json, second: Json) -> Comparison:
         if verdict != theirs[paper, place]
     )
     repeats = (first["provenance"]["repeats"], second["provenance"]["repeats"])
-    return Comparison(compared=len(ours), repeats=repeats, flips=flips)
+    return TwoResults(compared=len(ours), repeats=repeats, flips=flips)
 
 
 def _verdicts(results: Json) -> Iterator[tuple[tuple[str, str], str]]:

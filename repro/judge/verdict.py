@@ -15,7 +15,7 @@ class Verdict(StrEnum):
     NOT_RUN = "not run"
 
 
-def judge(measured: Interval, accepted: Interval) -> tuple[Verdict, str | None]:
+def verdict_of(measured: Interval, accepted: Interval) -> tuple[Verdict, str | None]:
     """Return the verdict, and for a contradicted number on which side the measured one lies."""
     if measured[1] < accepted[0]:
         return Verdict.CONTRADICTED, "lower"

@@ -12,6 +12,7 @@ from repro.model.open_points import Gap
 from repro.model.tolerances import Between, Tolerance
 from repro.statistics.summary import STATISTICS
 from repro.tables.published import Printed, PublishedTable
+from repro.tables.relations import TableCell
 
 Role = Literal["problem", "algorithm", "statistic", "quantity"]
 
@@ -35,6 +36,11 @@ class CellClaim:
     def where(self) -> str:
         """The place on the page."""
         return self.table.where
+
+    @property
+    def cell(self) -> TableCell:
+        """The cell as relations and the audit name it."""
+        return TableCell(table=self.table, row=self.row, column=self.column)
 
     @property
     def place(self) -> tuple[str, str, str] | None:

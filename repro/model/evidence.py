@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from repro.errors import DeclarationError
 from repro.model.experiment import Experiment
+from repro.optimisers.search import TellsQuantities
 
 Vector = NDArray[np.float64]
 Cell = tuple[str, str, str]
@@ -125,7 +126,7 @@ class Evidence:
                 raise DeclarationError(message)
             return np.asarray(runs.histories[..., iteration - 1])
         problem = self.experiment(cell[0]).problems[cell[1]]
-        if not hasattr(problem, "quantity"):
+        if not isinstance(problem, TellsQuantities):
             message = f"{'/'.join(cell)}: no quantity {quantity!r}, only the cost"
             raise DeclarationError(message)
         return runs.measured(quantity, partial(problem.quantity, quantity))

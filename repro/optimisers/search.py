@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, NotRequired, Protocol, TypedDict, Unpack
+from typing import Any, NotRequired, Protocol, TypedDict, Unpack, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -56,8 +56,7 @@ class Budget(TypedDict):
 class Optimiser(Protocol):
     """Anything that minimises a Problem within a budget.
 
-    One in plain Python sets `holds_interpreter: ClassVar[bool] = True`, so that its runs go to
-    processes; compiled ones lack the attribute and run in threads. Both give the same bits.
+    It may say more of itself: see HoldsInterpreter, LeavesBox and DeclaresSpending.
     """
 
     def minimise(self, problem: Problem, **budget: Unpack[Budget]) -> Result:
@@ -75,6 +74,52 @@ class Spending:
 
     start: int = 0
     each: int
+
+
+@runtime_checkable
+class HoldsInterpreter(Protocol):
+    """An optimiser or problem in plain Python, whose runs go to processes and not to threads.
+
+    Compiled ones lack the attribute. Both give the same bits.
+    """
+
+    @property
+    def holds_interpreter(self) -> bool:
+        """Whether runs in threads would wait for each other."""
+
+
+@runtime_checkable
+class LeavesBox(Protocol):
+    """An optimiser whose source lets points leave the box."""
+
+    @property
+    def leaves_box(self) -> bool:
+        """Whether its best point may lie outside."""
+
+
+@runtime_checkable
+class DeclaresSpending(Protocol):
+    """An optimiser that does not evaluate every agent once in each iteration, and no more."""
+
+    def spending(self, population: int) -> Spending:
+        """Return what it spends with so many agents."""
+
+
+@runtime_checkable
+class NeedsScratch(Protocol):
+    """A problem whose cost writes numbers of its own at the start of the data."""
+
+    @property
+    def scratch(self) -> int:
+        """How many."""
+
+
+@runtime_checkable
+class TellsQuantities(Protocol):
+    """A problem that says more of a point than its cost, such as a motion its total time."""
+
+    def quantity(self, name: str, x: Vector) -> Vector:
+        """Return a quantity of points of shape (..., n), shape (...); names are the problem's."""
 
 
 def every_agent_once(population: int) -> Spending:

@@ -11,8 +11,9 @@ from latex2mathml.converter import convert_to_element
 from markupsafe import Markup, escape
 
 from repro.errors import DeclarationError
+from repro.model.identifiers import anchor
 from repro.model.paper import Formula
-from repro.report.words import anchor, raised
+from repro.report.words import raised
 
 _ELEMENTS = {
     *("math", "mrow", "mi", "mn", "mo", "mtext", "mspace", "mstyle", "mtable", "mtr", "mtd"),

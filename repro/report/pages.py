@@ -7,13 +7,11 @@ from pathlib import Path
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 from markupsafe import Markup
 
-from repro.audit import audit
-from repro.judge.certificates import certify
-from repro.judge.findings import LEVEL, Finding, judge_paper
-from repro.judge.other_readings import evidence_under_readings, fingerprints, reached
-from repro.judge.times_found import found_times, time_rows
+from repro.judge.findings import LEVEL, Finding
+from repro.judge.judgement import Judgement
+from repro.judge.other_readings import reached
 from repro.judge.verdict import Verdict
-from repro.model.evidence import Evidence
+from repro.model.identifiers import anchor
 from repro.model.measures.measure import TABLES
 from repro.model.paper import Paper
 from repro.report.drawings.arm_viewer import viewer
@@ -21,24 +19,25 @@ from repro.report.drawings.draw import Drawing, draw
 from repro.report.files import csv_text, usable_folder, write_file
 from repro.report.formulas import dollars, equation_links, formula_anchor, mathml, powers_of_ten
 from repro.report.results import (
+    PROVENANCE,
+    Environments,
     Json,
     merged,
+    merged_provenance,
     paper_result,
+    provenance_entry,
     read_json,
     read_results,
     results_text,
     verdict_counts,
 )
-from repro.report.views.baselines import baselines_view
+from repro.report.views.baselines import standings_view
 from repro.report.views.findings import Shown, everything, table_view, tallies
 from repro.report.views.readings import readings_view
 from repro.report.views.runs import runs_view
 from repro.report.views.search_box import search_rows
-from repro.report.words import MEANINGS, SYMBOLS, again_command, anchor, markdown_cell, number
-from repro.runs.plan import Task
-from repro.runs.session import gather
-from repro.runs.store.store import Store
-from repro.runs.studies import Study, kinds_of, studies
+from repro.report.views.times import time_cells
+from repro.report.words import MEANINGS, SYMBOLS, again_command, markdown_cell, number
 
 Files = dict[str, str]
 ANOTHER_SEED = "another-seed.json"
@@ -50,60 +49,45 @@ _COLUMNS = (
 
 
 def write_report(
-    store: Store,
-    chosen: Sequence[Paper],
-    tasks: Sequence[Task],
+    judgements: Iterable[Judgement],
     folder: Path,
-    known: Iterable[Paper],
+    known: Iterable[str],
+    *,
+    environments: Mapping[str, Environments],
+    master_seed: str = "",
 ) -> Json:
-    """Write the pages of the chosen papers, the index and results.json; return the results."""
+    """Write the pages of what was judged, the index and results.json; return the results.
+
+    `known` are the keys of all papers, in their order; entries of others are kept from before.
+    `environments` says by paper in what its runs were made; that and how long they took stands in
+    a file of its own, so that equal runs give equal pages.
+    """
     usable_folder(folder)
     files: Files = {}
-    entries = []
-    for paper in chosen:
-        own = [task for task in tasks if task.paper == paper.key]
-        others = studies(paper, max(task.repeat for task in own))
-        evidence = gather(store, paper, own, others)
-        provenance = _provenance(evidence, store.environments(own))
-        provenance["master_seed"] = own[0].seed
-        entries.append(_paper_files(evidence, others, provenance, files))
-    old = read_results(folder / "results.json")
-    results = merged(entries, old, [paper.key for paper in known])
+    entries, made = [], {}
+    for judgement in judgements:
+        key = judgement.paper.key
+        entries.append(_paper_files(judgement, master_seed, files))
+        made[key] = provenance_entry(judgement, environments.get(key, []))
+    results = merged(entries, read_results(folder / "results.json"), known)
     files["results.json"] = results_text(results)
+    files[PROVENANCE] = results_text(merged_provenance(made, read_json(folder / PROVENANCE)))
     files |= index_files(results, read_json(folder / ANOTHER_SEED))
     for name, text in files.items():
         write_file(folder / name, text)
     return results
 
 
-def _provenance(evidence: Evidence, environments: list[dict[str, object]]) -> dict[str, object]:
-    runs = evidence.runs.values()
-    protocol = {experiment.name for experiment in evidence.paper.experiments}
-    return {
-        "repeats": max((len(cell.costs) for cell in runs), default=0),
-        "runs": sum(cell.costs.size for cell in runs),
-        "protocol_runs": sum(
-            found.costs.size for (name, *_), found in evidence.runs.items() if name in protocol
-        ),
-        "environments": environments,
-    }
-
-
-def _paper_files(
-    evidence: Evidence, others: Sequence[Study], provenance: Mapping[str, object], files: Files
-) -> Json:
-    paper = evidence.paper
-    varied = evidence_under_readings(evidence)
-    findings = judge_paper(evidence, varied)
-    rows = audit(paper)
-    certificates = certify(paper)
-    drawings = [draw(figure, evidence, anchor(paper.key, figure.label)) for figure in paper.figures]
-    entry = paper_result(
-        paper, findings=findings, audit=rows, certificates=certificates, provenance=provenance
-    )
-    runs = runs_view(evidence, findings)
-    found = everything(findings, rows)
+def _paper_files(judgement: Judgement, master_seed: str, files: Files) -> Json:
+    paper, evidence = judgement.paper, judgement.evidence
+    drawings = [
+        draw(figure, paper, evidence, anchor(paper.key, figure.label)) for figure in paper.figures
+    ]
+    entry = paper_result(judgement, master_seed)
+    runs = runs_view(judgement)
+    found = everything(judgement.findings, judgement.audit)
     cells = {(s.finding.table, s.finding.row, s.finding.column): s for s in found}
+    times = zip(judgement.certificates, judgement.found_times, strict=True)
     context = {
         "paper": paper,
         "entry": entry,
@@ -114,28 +98,19 @@ def _paper_files(
         "sentences": [s for s in found if s.finding.claim],
         "everything": found,
         **runs.context(),
-        "audit": rows,
-        "certificates": [
-            (certificate, time_rows(certificate, found_times(certificate, evidence)))
-            for certificate in certificates
-        ],
-        "readings": readings_view(paper, findings, varied, fingerprints(evidence, varied)),
-        **_studied(evidence, others),
-        "standings": baselines_view(paper, evidence.runs, certificates),
+        "audit": judgement.audit,
+        "certificates": [(certificate, time_cells(certificate, own)) for certificate, own in times],
+        "readings": readings_view(judgement),
+        "besides": judgement.besides,
+        "reading_repeats": judgement.reading_repeats,
+        "standings": tuple(map(standings_view, judgement.standings)),
         "drawings": drawings,
-        "provenance": provenance,
+        "provenance": entry["provenance"],
     }
     files[f"{paper.key}.html"] = render("paper.html", context)
     files[f"{paper.key}.md"] = render("paper.md", context)
     files |= _tables(paper, found, drawings) | runs.files(paper.key)
     return entry
-
-
-def _studied(evidence: Evidence, others: Sequence[Study]) -> dict[str, object]:
-    return {
-        "besides": kinds_of(others, {name for name, *_ in evidence.runs}),
-        "reading_repeats": max((s.repeats for s in others if s.kind == "reading"), default=0),
-    }
 
 
 def index_files(results: Json, another_seed: Json | None = None) -> Files:
@@ -175,7 +150,6 @@ def _templates(*, markdown: bool) -> Environment:
         "dollars": dollars,
         "anchor": anchor,
         "markup": Markup,  # for the SVG that we draw and what our macros return
-        "time_cells": _time_cells,
         "comparison_rows": lambda c: [(problem, *texts) for problem, texts in c.rows],
         "cell": markdown_cell,
     }
@@ -195,10 +169,6 @@ def _without_tags(value: object) -> object:
     if isinstance(value, str) and not isinstance(value, Markup):
         return value.replace("<", "&lt;")
     return value
-
-
-def _time_cells(rows: Iterable[tuple[str, float, float]]) -> list[tuple[str, str, str]]:
-    return [(label, number(time), f"{ratio:.4f}") for label, time, ratio in rows]
 
 
 def _tables(paper: Paper, found: Sequence[Shown], drawings: Sequence[Drawing]) -> Files:

@@ -3,36 +3,38 @@
 import dataclasses
 import json
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from repro.audit import AuditRow
-from repro.judge.certificates import Certificate
-from repro.judge.findings import Finding
-from repro.model.paper import Assumption, Paper
+from repro.judge.judgement import Judgement
+from repro.model.paper import Assumption
 
 SCHEMA = 1
+PROVENANCE = "provenance.json"
 Json = dict[str, Any]
+Environments = list[dict[str, object]]
 
 
-def paper_result(
-    paper: Paper,
-    *,
-    findings: Iterable[Finding],
-    audit: Iterable[AuditRow],
-    certificates: Iterable[Certificate],
-    provenance: Mapping[str, object],
-) -> Json:
+def paper_result(judgement: Judgement, master_seed: str) -> Json:
     """Return one paper's entry in results.json."""
+    paper, runs = judgement.paper, judgement.evidence.runs
+    protocol = {experiment.name for experiment in paper.experiments}
     return {
         "key": paper.key,
         "title": paper.source.title,
         "summary": paper.summary,
-        "provenance": dict(provenance),
-        "findings": _plain(findings),
-        "audit": _plain(audit),
-        "certificates": _plain(certificates),
+        "provenance": {
+            "repeats": judgement.repeats,
+            "runs": sum(cell.costs.size for cell in runs.values()),
+            "protocol_runs": sum(
+                cell.costs.size for (name, *_), cell in runs.items() if name in protocol
+            ),
+            "master_seed": master_seed,
+        },
+        "findings": _plain(judgement.findings),
+        "audit": _plain(judgement.audit),
+        "certificates": _plain(judgement.certificates),
         "assumptions": [_assumption(assumption) for assumption in paper.assumptions],
         "errata": _plain(paper.errata),
         "gaps": _plain(paper.gaps),
@@ -69,16 +71,39 @@ def merged(fresh: Iterable[Json], old: Json | None, order: Iterable[str]) -> Jso
     }
 
 
-def _common_provenance(papers: Iterable[Json]) -> Json:
-    together: Json = {"repeats": 0, "runs": 0, "environments": []}
-    for paper in papers:
-        own = paper["provenance"]
-        together["repeats"] = max(together["repeats"], own["repeats"])
-        together["runs"] += own["runs"]
-        for environment in own["environments"]:
-            if environment not in together["environments"]:
-                together["environments"].append(environment)
-    return together
+def _common_provenance(papers: Sequence[Json]) -> Json:
+    own = [paper["provenance"] for paper in papers]
+    return {
+        "repeats": max((each["repeats"] for each in own), default=0),
+        "runs": sum(each["runs"] for each in own),
+    }
+
+
+def provenance_entry(judgement: Judgement, environments: Environments) -> Json:
+    """Return what differs between equal runs: where and when they were made, and how long each took.
+
+    `seconds` are the median of a run, by experiment, problem, algorithm and kind of run.
+    """
+    return {
+        "environments": environments,
+        "seconds": [
+            {
+                "experiment": found.experiment.name,
+                "problem": problem.problem,
+                "algorithm": row.algorithm,
+                "run as": row.kind,
+                "seconds": float(f"{row.seconds:.3g}"),
+            }
+            for found in judgement.standings
+            for problem in found.problems
+            for row in problem.rows
+        ],
+    }
+
+
+def merged_provenance(fresh: Mapping[str, Json], old: Json | None) -> Json:
+    """Return the whole of provenance.json: fresh entries, and old ones of papers not redone."""
+    return {"papers": {**(old or {}).get("papers", {}), **fresh}}
 
 
 def read_results(path: Path) -> Json | None:

@@ -3,7 +3,6 @@
 import math
 import re
 import shlex
-from collections.abc import Iterable
 
 from markupsafe import Markup, escape
 
@@ -88,27 +87,6 @@ def verdict_words(verdict: str, side: str | None) -> str:
     """Return symbol and words of a verdict, with the side of a contradicted number."""
     word = Verdict(verdict)
     return f"{SYMBOLS[word]} {word}" + (f" ({side})" if side else "")
-
-
-def anchor(*parts: str | None) -> str:
-    """Return an identifier for deep links made of letters, digits and hyphens."""
-    text = "-".join(part for part in parts if part).lower()
-    return re.sub(r"[^a-z0-9]+", "-", text).strip("-")
-
-
-def identifiers(places: Iterable[tuple[str | None, ...]]) -> list[str]:
-    """Return one identifier per place of a paper, no two alike: links and commands name it."""
-    used: set[str] = set()
-    names = []
-    for place in places:
-        first = name = anchor(*place)
-        count = 1
-        while name in used:
-            count += 1
-            name = f"{first}-{count}"
-        used.add(name)
-        names.append(name)
-    return names
 
 
 def share(quantile: float | None, tables: int) -> str:

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from repro.model.experiment import Experiment
-from repro.optimisers.search import Optimiser, every_agent_once
+from repro.optimisers.search import DeclaresSpending, Optimiser, every_agent_once
 
 EQUAL_BUDGET = "equal budget"
 
@@ -20,7 +20,8 @@ def budget(experiment: Experiment) -> int:
 
 def declared_evaluations(optimiser: Optimiser, population: int, iterations: int) -> int:
     """Return the evaluations of one run, as the optimiser declares its `spending`; else N·T."""
-    spending = getattr(optimiser, "spending", every_agent_once)(population)
+    declared = isinstance(optimiser, DeclaresSpending)
+    spending = optimiser.spending(population) if declared else every_agent_once(population)
     return int(spending.start + spending.each * iterations)
 
 

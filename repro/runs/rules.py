@@ -7,7 +7,16 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from repro.optimisers.search import Optimiser, Problem, Result, value
+from repro.optimisers.search import (
+    DeclaresSpending,
+    LeavesBox,
+    NeedsScratch,
+    Optimiser,
+    Problem,
+    Result,
+    value,
+)
+from repro.runs.equal_budget import declared_evaluations
 
 Vector = NDArray[np.float64]
 _SHOWN = 4  # coordinates of a point that a message shows
@@ -26,8 +35,7 @@ class Given:
     def of(cls, problem: Problem) -> Self:
         """Return the problem with copies of its bounds and data.
 
-        A cost that needs room for numbers of its own has it at the start of the data, and says how
-        much by an attribute `scratch` of the problem.
+        A cost that needs room for numbers of its own has it at the start of the data.
         """
         bounds, data = np.array(problem.bounds), np.array(problem.data)
         return cls(problem=problem, bounds=bounds, data=data, before=_bytes(problem, bounds, data))
@@ -47,7 +55,8 @@ class Given:
 
 
 def _bytes(problem: Problem, bounds: Vector, data: Vector) -> tuple[bytes, bytes]:
-    return bounds.tobytes(), data[getattr(problem, "scratch", 0) :].tobytes()
+    room = problem.scratch if isinstance(problem, NeedsScratch) else 0
+    return bounds.tobytes(), data[room:].tobytes()
 
 
 def fault(
@@ -61,11 +70,10 @@ def fault(
 ) -> str | None:
     """Return what is wrong with a search or its result, None where nothing is.
 
-    An optimiser whose source lets points leave the box says so by an attribute `leaves_box`; one
-    that spends more than N·(T + 1) evaluations by a method `spending`.
+    One that does not declare its spending may spend N·(T + 1) evaluations.
     """
     most = evaluations or _most(optimiser, population, iterations or 0)
-    free = getattr(optimiser, "leaves_box", False)
+    free = isinstance(optimiser, LeavesBox) and optimiser.leaves_box
     return next(_faults(result, given, free=free, iterations=iterations, most=most), None)
 
 
@@ -98,11 +106,9 @@ def _faults(
 
 
 def _most(optimiser: Optimiser, population: int, iterations: int) -> int:
-    declared = getattr(optimiser, "spending", None)
-    if declared is None:
-        return population * (iterations + 1)
-    spending = declared(population)
-    return int(spending.start + spending.each * iterations)
+    if isinstance(optimiser, DeclaresSpending):
+        return declared_evaluations(optimiser, population, iterations)
+    return population * (iterations + 1)
 
 
 def _shown(x: Vector) -> str:

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from repro.determinism.seeds import generator
+from repro.optimisers.search import HoldsInterpreter
 from repro.runs.plan import Task
 from repro.runs.rules import Given, fault
 
@@ -88,7 +89,10 @@ def holds_interpreter(task: Task) -> bool:
     Compiled searches do not. A search or a problem in plain Python says so by an attribute
     `holds_interpreter` that is true.
     """
-    return any(getattr(part, "holds_interpreter", False) for part in (task.optimiser, task.subject))
+    return any(
+        isinstance(part, HoldsInterpreter) and part.holds_interpreter
+        for part in (task.optimiser, task.subject)
+    )
 
 
 def execute_all(tasks: tuple[Task, ...]) -> list[Record]:

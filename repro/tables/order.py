@@ -19,7 +19,7 @@ def order_rows(paper: str, block: Block) -> Iterator[AuditRow]:
         if low and high and low.low > high.high:
             yield audit_row(
                 paper,
-                (block.cell(lower), block.cell(upper)),
+                (block.cells[lower], block.cells[upper]),
                 check="order",
                 grade=Grade.IMPOSSIBLE,
                 explanation=(
@@ -32,7 +32,7 @@ def order_rows(paper: str, block: Block) -> Iterator[AuditRow]:
         if explanation:
             yield audit_row(
                 paper,
-                (block.cell("mean"),),
+                (block.cells["mean"],),
                 check="mean-bound",
                 grade=Grade.IMPOSSIBLE,
                 explanation=explanation,

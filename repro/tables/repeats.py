@@ -23,7 +23,7 @@ def repeat_rows(paper: str, blocks: Sequence[Block]) -> Iterator[AuditRow]:
     """Yield a row per number, and per set of digits, that recurs in different blocks."""
     alike, equal = defaultdict(list), defaultdict(list)
     for block in blocks:
-        for name in block.claims:
+        for name in block.cells:
             if _stands(block, name):
                 printed = block.printed(name)
                 size = (block.quantity, len(digits(printed)), _decade(printed))
@@ -64,11 +64,8 @@ def _stands(block: Block, name: str) -> bool:
     scientific = any(mark in printed.text for mark in "×xeE")
     if len(digits(printed)) < (DIGITS_WITH_POWER if scientific else DIGITS):
         return False
-    function = block.function
-    if function is None:
-        return True
-    least = function(function.minimiser(block.problem.dimension))
-    return all(abs(printed.value - value) > printed.rounding for value in (least, function.minimum))
+    fixed = block.function.fixed if block.function else ()
+    return all(abs(printed.value - value) > printed.rounding for value in fixed)
 
 
 def _equal_cells(paper: str, same: Sequence[Entry], *, pairs: int, chance: float) -> AuditRow:
@@ -91,7 +88,7 @@ def _equal_digits(paper: str, blocks: Sequence[Block]) -> Iterator[AuditRow]:
     """Yield a row per series of digits that a whole block shares with others, powers aside."""
     seen = defaultdict(list)
     for block in blocks:
-        names = tuple(block.claims)
+        names = tuple(block.cells)
         series = tuple(digits(block.printed(name)) for name in names)
         if len(set(series)) == len(names) > 1 and sum(map(len, series)) >= DIGITS_OF_BLOCK:
             seen[block.quantity, names, series].append(block)
@@ -113,4 +110,4 @@ def _equal_digits(paper: str, blocks: Sequence[Block]) -> Iterator[AuditRow]:
 
 
 def _cells(entries: Sequence[Entry]) -> tuple[TableCell, ...]:
-    return tuple(block.cell(name) for block, name in entries)
+    return tuple(block.cells[name] for block, name in entries)

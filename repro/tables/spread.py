@@ -12,14 +12,14 @@ from repro.tables.true_numbers import Span, factor, root, shown, times
 
 def spread_rows(paper: str, block: Block) -> Iterator[AuditRow]:
     """Yield a row for a standard deviation that is too large, and one for one too small."""
-    if "std" not in block.claims or block.n < 2:
+    if "std" not in block.cells or block.n < 2:
         return
     findings = {"std-bound": _too_large(block), _small_check(block): _too_small(block)}
     for check, explanation in findings.items():
         if explanation:
             yield audit_row(
                 paper,
-                (block.cell("std"),),
+                (block.cells["std"],),
                 check=check,
                 grade=Grade.IMPOSSIBLE,
                 explanation=explanation,
@@ -50,7 +50,7 @@ def _too_large(block: Block) -> str:
 
 def _known(block: Block, sample: Widest) -> str:
     """Say what bounds the spread from above; a worst that no run can reach does not."""
-    names = [name for name in ("best", "mean", "worst") if name in block.claims]
+    names = [name for name in ("best", "mean", "worst") if name in block.cells]
     if "mean" in names and "worst" in names and sample.upper == 0:
         names.remove("worst")
     parts = [f"{name} {block.printed(name).text}" for name in names]

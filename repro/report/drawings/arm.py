@@ -11,8 +11,8 @@ from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
 from repro.errors import DeclarationError
-from repro.model.evidence import Evidence
 from repro.model.figures import Arm
+from repro.model.paper import Assumption
 from repro.report.drawings.arm_motion import Moving, moving, waypoints
 from repro.report.drawings.style import (
     COLOURS,
@@ -54,13 +54,13 @@ class Eye:
         return np.asarray(places @ np.array([[-s, -low * c], [c, -low * s], [0.0, high]]))
 
 
-def arm_plot(figure: Arm, evidence: Evidence) -> Plot:
+def arm_plot(figure: Arm, assumptions: Sequence[Assumption]) -> Plot:
     """Return the still with the scene; DeclarationError for an assumption that is not there."""
     motions, stops = moving(figure), waypoints(figure)
     eye = _eye(motions)
     return Plot(
         canvas=_still(motions[0], stops, eye),
-        description=_description(figure, motions, stops) + _assumed(figure, evidence),
+        description=_description(figure, motions, stops) + _assumed(figure, assumptions),
         rows=_rows(motions),
         scene=_scene(figure, motions, stops, eye),
     )
@@ -203,9 +203,9 @@ def _fastest(motion: Moving) -> float:
     return float((steps[times > 0] / times[times > 0]).max())
 
 
-def _assumed(figure: Arm, evidence: Evidence) -> str:
+def _assumed(figure: Arm, assumptions: Sequence[Assumption]) -> str:
     """Return what the picture rests on that the paper does not say."""
-    known = {assumption.what: assumption for assumption in evidence.paper.assumptions}
+    known = {assumption.what: assumption for assumption in assumptions}
     texts = []
     for what in figure.assumed:
         if what not in known:

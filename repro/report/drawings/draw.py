@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 from repro.model.evidence import Evidence
 from repro.model.figures import Arm, Convergence, Figure, JointCurves, Motion, SplineMotion
+from repro.model.paper import Paper
 from repro.report.drawings.arm import arm_plot
 from repro.report.drawings.convergence import HEADINGS, convergence_plot
 from repro.report.drawings.fitted_curves import joint_curves_plot
@@ -33,14 +34,14 @@ class Drawing:
     scene: Scene | None = None
 
 
-def draw(figure: Figure, evidence: Evidence, identifier: str) -> Drawing:
-    """Return the drawing of a declared figure; where no run is there yet, it says so.
+def draw(figure: Figure, paper: Paper, evidence: Evidence, identifier: str) -> Drawing:
+    """Return the drawing of a figure of the paper; where no run is there yet, it says so.
 
     `identifier` begins every id in the SVG, so it must differ between the drawings of a page.
     The same arguments give the same bytes.
     """
     title = f"{figure.label}: {figure.caption}"
-    return drawing(lambda: _plot(figure, evidence), title=title, identifier=identifier)
+    return drawing(lambda: _plot(figure, paper, evidence), title=title, identifier=identifier)
 
 
 def drawing(plotted: Callable[[], Plot], *, title: str, identifier: str) -> Drawing:
@@ -55,9 +56,9 @@ def drawing(plotted: Callable[[], Plot], *, title: str, identifier: str) -> Draw
     )
 
 
-def _plot(figure: Figure, evidence: Evidence) -> Plot:
+def _plot(figure: Figure, paper: Paper, evidence: Evidence) -> Plot:
     if isinstance(figure, Arm):
-        return arm_plot(figure, evidence)
+        return arm_plot(figure, evidence, paper.assumptions)
     if isinstance(figure, Convergence):
         return convergence_plot(figure, evidence) or _nothing()
     if isinstance(figure, Motion):

@@ -1,27 +1,22 @@
 """What the pages say of the algorithms of one experiment against each other."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
-import numpy as np
-
-from repro.determinism.seeds import generator
 from repro.judge.findings import Finding
+from repro.judge.judgement import Judgement
+from repro.judge.rank_tests import AlgorithmTests, RankSumTest
 from repro.model.claims import Claim
-from repro.model.evidence import Evidence
 from repro.model.experiment import Experiment
+from repro.model.identifiers import anchor
 from repro.model.measures.ranks import MeanRank, RankSum
 from repro.report.drawings.draw import Drawing, drawing
 from repro.report.drawings.ranks import rank_plot
 from repro.report.drawings.style import Rows
-from repro.report.words import anchor, number
-from repro.statistics.effect_size import win_interval, win_probability
-from repro.statistics.friedman import Friedman, friedman
-from repro.statistics.rank_sum import holm, rank_sum_p
-from repro.statistics.summary import mean
+from repro.report.words import number
+from repro.statistics.friedman import Friedman
 
-Judged = Iterable[tuple[Claim, Finding]]
-Pair = tuple[str, str]
+Judged = Sequence[tuple[Claim, Finding]]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -38,7 +33,7 @@ class Ranking:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Comparison:
+class AlgorithmsView:
     """Tests of the proposed algorithm against the others, on the first repeat.
 
     `rows` holds problem and one text per other algorithm, `data` the same for programs, `printed`
@@ -59,87 +54,45 @@ class Comparison:
         return (("rank-sum", self.data), *ranks) if self.others else ranks
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class _Test:
-    """The proposed algorithm against another on one problem."""
-
-    p: float
-    wins: float
-    interval: tuple[float, float]
+def algorithms_views(judgement: Judgement) -> tuple[AlgorithmsView, ...]:
+    """Return what is shown of the tests of every experiment."""
+    judged = tuple(zip(judgement.paper.claims, judgement.findings, strict=True))
+    return tuple(_view(judgement.paper.key, tests, judged) for tests in judgement.tests)
 
 
-def comparisons(evidence: Evidence, findings: Sequence[Finding]) -> tuple[Comparison, ...]:
-    """Return the tests of every experiment whose runs are all there.
-
-    `findings` are those of the paper's claims, in their order.
-    """
-    judged = list(zip(evidence.paper.claims, findings, strict=True))
-    return tuple(
-        _comparison(experiment, evidence, judged)
-        for experiment in evidence.paper.experiments
-        if all(
-            (experiment.name, problem, algorithm) in evidence.runs
-            for problem in experiment.problems
-            for algorithm in experiment.algorithms
-        )
-    )
-
-
-def _comparison(experiment: Experiment, evidence: Evidence, judged: Judged) -> Comparison:
-    others = tuple(name for name in experiment.algorithms if name != experiment.proposed)
-    tests = {
-        (problem, other): _test(experiment, problem, other, evidence)
-        for problem in experiment.problems
-        for other in others
-    }
-    corrected = dict(zip(tests, holm(np.array([t.p for t in tests.values()])), strict=True))
-    first = next(iter(experiment.problems))
-    return Comparison(
+def _view(paper: str, found: AlgorithmTests, judged: Judged) -> AlgorithmsView:
+    experiment, others = found.experiment, found.others
+    words = {(test.problem, test.against): _words(test) for test in found.tests}
+    return AlgorithmsView(
         experiment=experiment,
         others=others,
         rows=tuple(
-            (problem, tuple(_words(tests[problem, o], corrected[problem, o]) for o in others))
+            (problem, tuple(words[problem, other] for other in others))
             for problem in experiment.problems
         ),
-        data=_data(experiment.proposed, tests, corrected),
-        budgets=tuple(
-            (name, evidence.runs[experiment.name, first, name].evaluations)
-            for name in experiment.algorithms
-        ),
+        data=_data(experiment.proposed, found.tests),
+        budgets=tuple(found.budgets.items()),
         printed=_printed_p_values(experiment, judged),
-        ranking=_ranking(experiment, evidence, judged),
+        ranking=_ranking(paper, experiment, found.friedman, judged) if found.friedman else None,
     )
 
 
-def _test(experiment: Experiment, problem: str, other: str, evidence: Evidence) -> _Test:
-    own, costs = (
-        evidence.values((experiment.name, problem, name))[0]
-        for name in (experiment.proposed, other)
-    )
-    rng = generator("wins", evidence.paper.key, experiment.name, problem, other)
-    return _Test(
-        p=rank_sum_p(own, costs),
-        wins=win_probability(own, costs),
-        interval=win_interval(own, costs, rng=rng),
-    )
-
-
-def _words(test: _Test, corrected: float) -> str:
+def _words(test: RankSumTest) -> str:
     low, high = test.interval
     return (
-        f"p = {number(test.p)}, Holm {number(float(corrected))}, "
+        f"p = {number(test.p)}, Holm {number(test.holm)}, "
         f"wins {test.wins:.2f} [{low:.2f}, {high:.2f}]"
     )
 
 
-def _data(proposed: str, tests: Mapping[Pair, _Test], corrected: Mapping[Pair, float]) -> Rows:
+def _data(proposed: str, tests: Sequence[RankSumTest]) -> Rows:
     headings = ("problem", "algorithm", "against", "p", "p by Holm", "wins", "low", "high")
     return (
         headings,
         *(
-            (problem, proposed, other, *(f"{value:.6g}" for value in values))
-            for (problem, other), test in tests.items()
-            for values in [(test.p, corrected[problem, other], test.wins, *test.interval)]
+            (test.problem, proposed, test.against, *(f"{value:.6g}" for value in values))
+            for test in tests
+            for values in [(test.p, test.holm, test.wins, *test.interval)]
         ),
     )
 
@@ -155,15 +108,8 @@ def _printed_p_values(experiment: Experiment, judged: Judged) -> tuple[tuple[str
     )
 
 
-def _ranking(experiment: Experiment, evidence: Evidence, judged: Judged) -> Ranking | None:
+def _ranking(paper: str, experiment: Experiment, found: Friedman, judged: Judged) -> Ranking:
     names = tuple(experiment.algorithms)
-    if len(names) < 3 or len(experiment.problems) < 2:
-        return None
-    means = [
-        [mean(evidence.values((experiment.name, problem, name))[0]) for name in names]
-        for problem in experiment.problems
-    ]
-    found = friedman(np.array(means))
     printed = {
         claim.measure.algorithm: claim.printed.text
         for claim, finding in judged
@@ -182,6 +128,6 @@ def _ranking(experiment: Experiment, evidence: Evidence, judged: Judged) -> Rank
         drawing=drawing(
             lambda: rank_plot(names, found, printed),
             title=f"Average ranks in {experiment.name}",
-            identifier=anchor(evidence.paper.key, "ranks", experiment.name),
+            identifier=anchor(paper, "ranks", experiment.name),
         ),
     )

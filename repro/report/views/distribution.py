@@ -5,10 +5,11 @@ from dataclasses import dataclass
 
 from repro.model.claims import CellClaim
 from repro.model.evidence import Evidence
+from repro.model.identifiers import anchor
 from repro.model.measures.measure import Statistic
+from repro.model.paper import Paper
 from repro.report.drawings.distribution import Panel, Strip, distribution_plot
 from repro.report.drawings.draw import Drawing, drawing
-from repro.report.words import anchor
 from repro.tables.published import UNITS
 
 PANELS = 6  # in one drawing, so that it stays light; a longer table gets several
@@ -23,14 +24,14 @@ class Distribution:
     drawing: Drawing
 
 
-def distributions(evidence: Evidence) -> tuple[Distribution, ...]:
+def distributions(paper: Paper, evidence: Evidence) -> tuple[Distribution, ...]:
     """Return a drawing or more for every printed table with claims on statistics of runs.
 
     Only cells whose runs are there are drawn; a table without any has no drawing.
     """
     found = []
-    for table in evidence.paper.results:
-        of_table = (c for c in evidence.paper.claims if isinstance(c, CellClaim))
+    for table in paper.results:
+        of_table = (c for c in paper.claims if isinstance(c, CellClaim))
         claims = sorted(
             (claim for claim in of_table if claim.table is table),
             key=lambda claim: claim.table.row_names.index(claim.row),
@@ -39,7 +40,7 @@ def distributions(evidence: Evidence) -> tuple[Distribution, ...]:
         parts = [panels[start : start + PANELS] for start in range(0, len(panels), PANELS)]
         for number, part in enumerate(parts, start=1):
             label = f"{table.label}, part {number}" if len(parts) > 1 else table.label
-            found.append(_distribution(evidence.paper.key, label, part))
+            found.append(_distribution(evidence.key, label, part))
     return tuple(found)
 
 

@@ -6,17 +6,9 @@ from dataclasses import dataclass
 
 from repro.audit import AuditRow
 from repro.judge.findings import IN_WORDS, Finding
+from repro.model.identifiers import anchor, identifiers
 from repro.model.measures.measure import TABLES
-from repro.report.words import (
-    anchor,
-    difference,
-    digits_for,
-    identifiers,
-    interval,
-    number,
-    share,
-    verdict_words,
-)
+from repro.report.words import difference, digits_for, interval, number, share, verdict_words
 from repro.tables.published import UNITS, Printed, PublishedTable
 
 Place = tuple[str | None, str | None, str | None]

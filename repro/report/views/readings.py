@@ -1,14 +1,13 @@
 """What the pages say of the other readings of a paper."""
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from repro.judge.findings import EvidenceUnder, Finding
+from repro.judge.judgement import Judgement
 from repro.judge.other_readings import AS_CHOSEN, Print, reached
 from repro.judge.verdict import Verdict
-from repro.model.paper import Paper
-from repro.report.words import anchor, number
+from repro.model.identifiers import anchor
+from repro.report.words import number
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -38,14 +37,10 @@ class ReadingsView:
     prints: tuple[tuple[str, ...], ...]
 
 
-def readings_view(
-    paper: Paper,
-    findings: Sequence[Finding],
-    varied: Iterable[EvidenceUnder],
-    prints: Iterable[Print],
-) -> ReadingsView:
+def readings_view(judgement: Judgement) -> ReadingsView:
     """Return what is shown of the readings of one paper."""
-    contradicted = [f for f in findings if f.verdict is Verdict.CONTRADICTED]
+    paper = judgement.paper
+    contradicted = [f for f in judgement.findings if f.verdict is Verdict.CONTRADICTED]
     tried = Counter(outcome.reading for f in contradicted for outcome in f.readings)
     hits = Counter(name for f in contradicted for name in reached(f))
     within = sum(bool(reached(f)) for f in contradicted)
@@ -59,13 +54,13 @@ def readings_view(
                 tried=tried[each.reading.name],
                 reached=hits[each.reading.name],
             )
-            for each in varied
+            for each in judgement.readings
         ),
         contradicted=len(contradicted),
         within_reach=within,
         out_of_reach=len(contradicted) - within - untouched,
         untouched=untouched,
-        prints=tuple(_print_row(each) for each in prints if each.others),
+        prints=tuple(_print_row(each) for each in judgement.prints if each.others),
     )
 
 

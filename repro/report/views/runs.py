@@ -1,16 +1,15 @@
 """What the pages draw from the runs themselves, beside the verdicts on what is printed."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 
-from repro.judge.findings import Finding
-from repro.model.evidence import Evidence
+from repro.judge.judgement import Judgement
+from repro.model.identifiers import anchor
 from repro.report.drawings.style import Rows
 from repro.report.files import csv_text
-from repro.report.views.algorithms import Comparison, comparisons
-from repro.report.views.centre_bias import CentreBias, centre_biases
+from repro.report.views.algorithms import AlgorithmsView, algorithms_views
+from repro.report.views.centre_bias import CentreBiasView, centre_bias_view
 from repro.report.views.distribution import Distribution, distributions
-from repro.report.words import anchor
 from repro.runs.moved_optima import centred
 
 
@@ -21,8 +20,8 @@ class RunsView:
     `shiftable` says whether any problem has its optimum about the centre.
     """
 
-    comparisons: tuple[Comparison, ...]
-    centre_biases: tuple[CentreBias, ...]
+    comparisons: tuple[AlgorithmsView, ...]
+    centre_biases: tuple[CentreBiasView, ...]
     distributions: tuple[Distribution, ...]
     shiftable: bool
 
@@ -44,16 +43,19 @@ class RunsView:
         named = [
             (kind, c.experiment.name, rows) for c in self.comparisons for kind, rows in c.tables()
         ]
-        named += [("centre bias", b.experiment.name, b.drawing.rows) for b in self.centre_biases]
+        named += [
+            ("centre bias", b.found.experiment.name, b.drawing.rows) for b in self.centre_biases
+        ]
         spread = {each.name: each.drawing.rows for each in self.distributions}
         return {anchor(kind, name): rows for kind, name, rows in named} | spread
 
 
-def runs_view(evidence: Evidence, findings: Sequence[Finding]) -> RunsView:
-    """Return what is shown of a paper's runs; `findings` are those of its claims, in order."""
+def runs_view(judgement: Judgement) -> RunsView:
+    """Return what is shown of a paper's runs."""
+    paper = judgement.paper
     return RunsView(
-        comparisons=comparisons(evidence, findings),
-        centre_biases=centre_biases(evidence),
-        distributions=distributions(evidence),
-        shiftable=any(map(centred, evidence.paper.experiments)),
+        comparisons=algorithms_views(judgement),
+        centre_biases=tuple(centre_bias_view(paper.key, b) for b in judgement.centre_biases),
+        distributions=distributions(paper, judgement.evidence),
+        shiftable=any(map(centred, paper.experiments)),
     )

@@ -2,8 +2,9 @@
 
 from collections.abc import Iterable, Iterator
 
+from repro.model.identifiers import anchor, identifiers
 from repro.report.results import Json
-from repro.report.words import anchor, identifiers, verdict_words
+from repro.report.words import verdict_words
 
 Row = tuple[str, str, str, str]
 

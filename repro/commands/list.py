@@ -1,15 +1,26 @@
-"""What `repro list` says: papers, experiments, tables, and how many runs are done."""
+"""`repro list`: papers, experiments, tables, and how many runs are done."""
 
+import json
+import sys
+from argparse import Namespace
 from collections import Counter
 from collections.abc import Iterable
 from pathlib import Path
 
+from repro.commands import catalogue
 from repro.model.paper import Paper
 from repro.runs.plan import plan
 from repro.runs.store.store import finished_keys
 from repro.runs.studies import studies
 
 Row = dict[str, object]
+
+
+def run(options: Namespace) -> int:
+    """Print the papers; the store is read and not changed."""
+    rows = listing(catalogue.chosen(options.keys), options.repeats, options.store)
+    sys.stdout.write(json.dumps(rows, indent=2) + "\n" if options.json else listing_text(rows))
+    return 0
 
 
 def listing(papers: Iterable[Paper], repeats: int, store: Path) -> list[Row]:

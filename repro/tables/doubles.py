@@ -4,16 +4,10 @@ import math
 from collections.abc import Iterator
 from fractions import Fraction
 
-from repro.tables.blocks import CANCELLING, Block
+from repro.tables.blocks import Block
 from repro.tables.rows import AuditRow, Grade, audit_row
 from repro.tables.true_numbers import Span, exact, shown, span, statistic_span
 
-CONDITIONS = {
-    "ackley": "if the four terms are computed as doubles and then added, in whatever order: near "
-    "the minimum each of them, 20 and e included, is a multiple of this step",
-    "rastrigin": "if x² is first added to 10 or to −10 cos(2πx), as the formula reads from left "
-    "to right and with 10n added at the end: both terms of size 10 are multiples of this step",
-}
 RUNS = 1000  # the largest number of runs that is tried to explain a spread of rounding
 SPACINGS = 16  # a computed mean of equal values is off by fewer of its last bits than this
 
@@ -21,7 +15,7 @@ SPACINGS = 16  # a computed mean of equal values is off by fewer of its last bit
 def double_rows(paper: str, block: Block) -> Iterator[AuditRow]:
     """Yield rows for values below the minimum, between two doubles, and for spreads of rounding."""
     for statistic in ("best", "mean", "median", "worst"):
-        if statistic in block.claims:
+        if statistic in block.cells:
             for check, explanation in (
                 ("below-minimum", _below_minimum(block, statistic)),
                 ("double-step", _between_doubles(block, statistic)),
@@ -29,7 +23,7 @@ def double_rows(paper: str, block: Block) -> Iterator[AuditRow]:
                 if explanation:
                     yield audit_row(
                         paper,
-                        (block.cell(statistic),),
+                        (block.cells[statistic],),
                         check=check,
                         grade=Grade.IMPOSSIBLE,
                         explanation=explanation,
@@ -37,7 +31,7 @@ def double_rows(paper: str, block: Block) -> Iterator[AuditRow]:
     if explanation := _rounding_spread(block):
         yield audit_row(
             paper,
-            (block.cell("std"),),
+            (block.cells["std"],),
             check="std-at-rounding",
             grade=Grade.NOTED,
             explanation=explanation,
@@ -49,13 +43,13 @@ def _own_span(block: Block, statistic: str) -> Span:
 
 
 def _below_minimum(block: Block, statistic: str) -> str:
-    function, floor = block.function, block.floor
+    function = block.function
     highest = _own_span(block, statistic).high
-    if function is None or floor is None or highest >= floor:
+    if function is None or highest >= function.floor:
         return ""
     return (
         f"printed is {block.printed(statistic).text}, at most {shown(highest)} with its rounding; "
-        f"{function.title} has the minimum {shown(exact(function.minimum))}, and no run or mean "
+        f"{function.title} has the minimum {shown(function.minimum)}, and no run or mean "
         "of runs lies below it"
     )
 
@@ -63,10 +57,9 @@ def _below_minimum(block: Block, statistic: str) -> str:
 def _between_doubles(block: Block, statistic: str) -> str:
     """Explain a value above 0 that is less than the smallest step of a cancelling function."""
     function, here = block.function, _own_span(block, statistic)
-    if function is None or function.name not in CANCELLING or here.low <= 0:
+    if function is None or not function.step or here.low <= 0:
         return ""
-    step = Fraction(CANCELLING[function.name])
-    runs = block.n if statistic == "mean" else 1
+    step, runs = function.step, block.n if statistic == "mean" else 1
     if here.high >= step / runs * Fraction(1023, 1024):  # spares the rounding of the division
         return ""
     what = f"the mean of {runs} runs" if runs > 1 else "a run"
@@ -74,7 +67,7 @@ def _between_doubles(block: Block, statistic: str) -> str:
     return (
         f"near its minimum 0, {function.title} takes values in steps of {shown(step)}, so {what} "
         f"is 0 or at least {least}; printed is {block.printed(statistic).text}. This holds "
-        f"{CONDITIONS[function.name]}"
+        f"{function.condition}"
     )
 
 
@@ -84,7 +77,7 @@ def _rounding_spread(block: Block) -> str:
     Equal values have a computed mean that can be off by k spacings of doubles, and then a
     standard deviation of k spacings times sqrt(n/(n-1)).
     """
-    if not {"mean", "std"} <= block.claims.keys() or block.n < 2:
+    if not {"mean", "std"} <= block.cells.keys() or block.n < 2:
         return ""
     spacing = Fraction(math.ulp(block.printed("mean").value))
     printed = span(block.printed("std"))

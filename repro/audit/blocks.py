@@ -1,0 +1,117 @@
+"""The blocks of a paper's tables, with what is known of the functions behind them."""
+
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from types import MappingProxyType
+
+from repro.functions import FUNCTIONS, BenchmarkProblem, Function
+from repro.model.claims import CellClaim
+from repro.model.measures.measure import Statistic
+from repro.model.paper import Paper
+from repro.tables.blocks import Block, FunctionBounds
+from repro.tables.true_numbers import exact, is_scientific
+
+# Functions that add terms of fixed size which cancel at the minimum: near it every value is a
+# multiple of the spacing of doubles at the smallest of these terms.
+CANCELLING = {"ackley": 2.0**-51, "rastrigin": 2.0**-49}
+CONDITIONS = {
+    "ackley": "if the four terms are computed as doubles and then added, in whatever order: near "
+    "the minimum each of them, 20 and e included, is a multiple of this step",
+    "rastrigin": "if x² is first added to 10 or to −10 cos(2πx), as the formula reads from left "
+    "to right and with 10n added at the end: both terms of size 10 are multiples of this step",
+}
+
+
+def _penalized_1(n: int) -> Fraction:
+    """Return 355/113 > π over n times the greatest terms, and the penalty at 50."""
+    step = Fraction(51, 4) ** 2  # (y - 1)² at x = 50
+    return Fraction(355, 113) / n * (10 + step + 11 * (n - 1) * step) + n * 100 * 40**4
+
+
+# What no value of a function in n dimensions exceeds on its box: each term at its greatest. A run
+# that starts inside the box has a best of that at most, wherever it goes later.
+CEILINGS: Mapping[str, Callable[[int], Fraction]] = MappingProxyType(
+    {
+        "sphere": lambda n: Fraction(n * 100**2),
+        "schwefel_2_22": lambda n: Fraction(10 * n + 10**n),
+        "schwefel_1_2": lambda n: Fraction(100**2 * n * (n + 1) * (2 * n + 1), 6),
+        "schwefel_2_21": lambda _: Fraction(100),
+        "rosenbrock": lambda n: Fraction((n - 1) * (100 * (30 + 30**2) ** 2 + 31**2)),
+        "rastrigin": lambda n: n * (Fraction(512, 100) ** 2 + 20),
+        "ackley": lambda _: Fraction(23),  # 20 + e and no less than 0 taken away
+        "alpine_1": lambda n: Fraction(11 * n),
+        "penalized_1": _penalized_1,
+        "penalized_2": lambda n: n * 100 * 45**4 + Fraction(1 + 2 * n * 51**2, 10),
+        "foxholes": lambda _: Fraction(500),
+        # convex in v, so greatest at v = -5 or 15; there below 378 but for v = -5 and u <= -4,
+        # where the bowl is at least -22.1875 and cos u at most cos 5
+        "branin": lambda _: Fraction(221875, 10000) ** 2 + Fraction(27244, 10000) + 10,
+        # Bernstein coefficients of the polynomial on parts of the box are below
+        "goldstein_price": lambda _: Fraction(1015691),
+        "hartmann_3": lambda _: Fraction(0),
+        "shekel_5": lambda _: Fraction(0),
+    }
+)
+# Where a ceiling holds, if on more than the function's own box.
+CEILING_BOXES = MappingProxyType({"branin": ((-5.0, 10.0), (-5.0, 15.0))})
+
+
+def blocks(paper: Paper) -> tuple[Block, ...]:
+    """Return the blocks of all tables of the paper, in the order of its claims."""
+    experiments = {experiment.name: experiment for experiment in paper.experiments}
+    found: dict[tuple[str, ...], dict[str, CellClaim]] = {}
+    for claim in paper.claims:
+        if isinstance(claim, CellClaim) and isinstance(claim.measure, Statistic):
+            key = (claim.table.label, *claim.measure.cell, claim.measure.quantity)
+            found.setdefault(key, {})[claim.measure.statistic] = claim
+    return tuple(
+        Block(
+            problem_name=problem,
+            algorithm=algorithm,
+            quantity=quantity,
+            n=experiments[experiment].runs,
+            cells={name: claim.cell for name, claim in claims.items()},
+            scientific=is_scientific(next(iter(claims.values())).table),
+            function=_bounds(experiments[experiment].problems[problem], quantity),
+        )
+        for (_, experiment, problem, algorithm, quantity), claims in found.items()
+    )
+
+
+def _bounds(problem: object, quantity: str) -> FunctionBounds | None:
+    """Return what is known of a problem's costs; None of what is no benchmark function."""
+    if not isinstance(problem, BenchmarkProblem) or quantity != "cost":
+        return None
+    return bounds_of(problem)
+
+
+def bounds_of(problem: BenchmarkProblem) -> FunctionBounds:
+    """Return what no value of the function in so many dimensions is outside of."""
+    function = problem.function
+    least = exact(function.minimum)
+    step = Fraction(CANCELLING.get(function.name, 0))
+    return FunctionBounds(
+        title=function.title,
+        minimum=least,
+        floor=least - max(abs(least) / 2**40, 4 * step),
+        ceiling=_ceiling(problem),
+        step=step,
+        condition=CONDITIONS.get(function.name, ""),
+        fixed=(function(function.minimiser(problem.dimension)), function.minimum),
+    )
+
+
+def _ceiling(problem: BenchmarkProblem) -> Fraction | None:
+    if not _has_ceiling(problem.function):
+        return None
+    most = CEILINGS[problem.function.name](problem.dimension)
+    return most + abs(most) / 2**40
+
+
+def _has_ceiling(function: Function) -> bool:
+    """Return whether the ceiling of the function is known on the box that the paper gives it."""
+    if function.name not in CEILINGS:
+        return False
+    known = CEILING_BOXES.get(function.name, FUNCTIONS[function.name].box)
+    sides = zip(function.box, known, strict=True)
+    return all(least <= low and high <= most for (low, high), (least, most) in sides)

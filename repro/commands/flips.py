@@ -1,0 +1,26 @@
+"""`repro flips`: the verdicts of two results.json side by side."""
+
+import sys
+from argparse import Namespace
+
+from repro.commands.shown_rows import show_json
+from repro.errors import InputError
+from repro.judge.two_results import compare
+from repro.report.results import read_results
+
+
+def run(options: Namespace) -> int:
+    """Print what differs; InputError where a file holds no results."""
+    both = []
+    for path in (options.first, options.second):
+        found = read_results(path)
+        if found is None:
+            message = f"{path}: no results are there"
+            raise InputError(message)
+        both.append(found)
+    compared = compare(*both)
+    if options.json:
+        show_json(compared.as_json())
+    else:
+        sys.stdout.write(compared.as_text())
+    return 0

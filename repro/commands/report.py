@@ -1,0 +1,23 @@
+"""`repro report`: pages from the store, without running anything."""
+
+import sys
+from argparse import Namespace
+
+from repro.commands import catalogue
+from repro.commands.written_pages import write_pages
+from repro.errors import InputError
+from repro.runs.plan import plan
+from repro.runs.store.store import Store
+
+
+def run(options: Namespace) -> int:
+    """Write the pages; InputError where there is no store."""
+    chosen = catalogue.chosen(options.keys)
+    tasks = plan(chosen, options.repeats, options.master_seed, protocol_only=options.protocol_only)
+    with Store(options.store, writing=False) as store:
+        if not store.path.exists():
+            message = f"there is no store in {options.store}; `repro reproduce` makes one"
+            raise InputError(message)
+        write_pages(store, chosen, tasks, options.reports)
+    sys.stdout.write(f"pages: {options.reports / 'index.html'}\n")
+    return 0

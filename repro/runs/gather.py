@@ -1,0 +1,70 @@
+"""From stored runs to the evidence of one paper."""
+
+from collections import defaultdict
+from collections.abc import Iterable
+from itertools import groupby
+
+import numpy as np
+
+from repro.model.evidence import Cell, Evidence, Runs
+from repro.model.paper import Paper
+from repro.runs.plan import Task
+from repro.runs.run import Record
+from repro.runs.store.store import Store
+from repro.runs.studies import Study
+
+
+def gather(
+    store: Store, paper: Paper, tasks: Iterable[Task], besides: Iterable[Study] = ()
+) -> Evidence:
+    """Return the evidence of one paper: whole repeats only, in the order of their numbers.
+
+    Tasks of one cell stand together, so that no more than one cell's records are held at once.
+    """
+    studies = tuple(besides)
+    others = tuple(study.experiment for study in studies)
+    protocol = {experiment.name: experiment.runs for experiment in (*paper.experiments, *others)}
+    followed = {
+        cell
+        for claim in paper.claims
+        if claim.measure and claim.measure.follows
+        for cell in claim.measure.cells()
+    }
+    # under another reading a claim follows the searches of that reading
+    followed |= {
+        (study.experiment.name, problem, algorithm)
+        for study in studies
+        for experiment, problem, algorithm in followed
+        if study.kind == "reading" and study.of == experiment
+    }
+    runs: dict[Cell, Runs] = {}
+    own = (task for task in tasks if task.paper == paper.key and task.experiment in protocol)
+    for cell, group in groupby(own, key=_cell):
+        found = _whole(store.records(group), protocol[cell[0]], follow=cell in followed)
+        if found:
+            runs[cell] = found
+    return Evidence(paper.key, (*others, *paper.experiments), runs)
+
+
+def _cell(task: Task) -> Cell:
+    return task.experiment, task.problem, task.algorithm
+
+
+def _whole(records: Iterable[Record], runs: int, *, follow: bool) -> Runs | None:
+    """Return the whole repeats; the histories of all of them, or of the first alone."""
+    by_repeat: dict[int, list[Record]] = defaultdict(list)
+    for record in records:
+        if record.reason is None:
+            by_repeat[record.task.repeat].append(record)
+    whole = [records for _, records in sorted(by_repeat.items()) if len(records) == runs]
+    if not whole:
+        return None
+    return Runs(
+        costs=np.array([[record.cost for record in records] for records in whole]),
+        points=np.array([[record.x for record in records] for records in whole]),
+        histories=np.array(
+            [[record.history for record in records] for records in whole[: None if follow else 1]]
+        ),
+        evaluations=whole[0][0].evaluations,
+        seconds=float(np.median([record.seconds for records in whole for record in records])),
+    )
