@@ -123,7 +123,7 @@ def cluster(session: nox.Session) -> None:
     """Run every paper's protocol on a Dask cluster that loses workers and its scheduler."""
     _install(session, "cluster")
     environment = {**ONE_THREAD, "REPRO_CLUSTER": "whole"}
-    session.run("pytest", "tests/test_real_cluster.py", *session.posargs, env=environment)
+    session.run("pytest", "tests/runs/workers/test_real_cluster.py", *session.posargs, env=environment)
 
 
 @nox.session
@@ -131,7 +131,7 @@ def references(session: nox.Session) -> None:
     """Compare the certificates with two other planners, and test that they agree."""
     _install(session, "references")
     session.run("repro", "references", *session.posargs)
-    session.run("pytest", "tests/test_references.py", env=ONE_THREAD)
+    session.run("pytest", "tests/judge/test_outside_planners.py", env=ONE_THREAD)
 
 
 @nox.session

@@ -18,13 +18,13 @@ from pathlib import Path
 
 import numpy as np
 
-from repro.judge.findings import judge_paper
+from repro.judge.findings import findings_of
 from repro.model.claims import every_cell
 from repro.model.paper import Paper
 from repro.model.tolerances import Percent
+from repro.runs.gather import gather
 from repro.runs.plan import Task, plan
 from repro.runs.run import Record
-from repro.runs.gather import gather
 from repro.runs.store.store import Store
 from repro.tables.published import PublishedTable
 from tests.small_papers import EXPERIMENT, PAPER, Bowl, Guessing
@@ -95,7 +95,7 @@ def _resume(store: Store, _paper: Paper, tasks: tuple[Task, ...]) -> None:
 
 
 def _judge(store: Store, paper: Paper, tasks: tuple[Task, ...]) -> None:
-    findings = judge_paper(gather(store, paper, tasks))
+    findings = findings_of(paper.claims, gather(store, paper, tasks))
     if len(findings) != len(paper.claims):
         sys.exit("a claim was not judged")
 

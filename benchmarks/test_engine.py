@@ -18,15 +18,15 @@ from pytest_benchmark.fixture import BenchmarkFixture
 from benchmarks.measuring import in_turns, seconds, timed
 from benchmarks.ours import PROBLEMS, optimiser
 from benchmarks.results import Results, Section
-from repro.__main__ import all_papers
 from repro.audit import audit
+from repro.commands.catalogue import all_papers
+from repro.commands.written_pages import write_pages
 from repro.determinism.provenance import provenance
-from repro.judge.findings import judge_paper
+from repro.judge.findings import findings_of
 from repro.model.paper import Paper
-from repro.report.pages import write_report
+from repro.runs.gather import gather
 from repro.runs.plan import Task, plan
 from repro.runs.run import Record, execute
-from repro.runs.gather import gather
 from repro.runs.session import run_missing
 from repro.runs.store.store import Store
 from repro.runs.workers.local import usable_cores
@@ -94,7 +94,7 @@ def test_compiling(benchmark: BenchmarkFixture, results: Results, folder: Path) 
     """One short run of every pair of search and problem, with nothing compiled."""
     code = (
         "from dataclasses import replace\n"
-        "from repro.__main__ import all_papers\n"
+        "from repro.commands.catalogue import all_papers\n"
         "from repro.runs.plan import plan\n"
         "from repro.runs.run import execute\n"
         "tasks = plan(all_papers().values(), 1)\n"
@@ -161,7 +161,7 @@ def test_judging(benchmark: BenchmarkFixture, results: Results, folder: Path, pa
     with Store(folder / "second") as store:
         evidence = gather(store, paper, tasks)
     calls: dict[str, Callable[[], object]] = {
-        "judging": partial(judge_paper, evidence),
+        "judging": partial(findings_of, paper.claims, evidence),
         "audit": partial(audit, paper),
     }
     taken = in_turns(benchmark, calls, rounds=3)
@@ -172,7 +172,7 @@ def test_judging(benchmark: BenchmarkFixture, results: Results, folder: Path, pa
 def test_pages(benchmark: BenchmarkFixture, results: Results, folder: Path) -> None:
     chosen, tasks = list(PAPERS.values()), plan(PAPERS.values(), 1)
     with Store(folder / "second") as store:
-        call = partial(write_report, store, chosen, tasks, folder / "pages", chosen)
+        call = partial(write_pages, store, chosen, tasks, folder / "pages", list(PAPERS))
         taken = in_turns(benchmark, {"pages": call}, rounds=1)
     results.add(PARTS, "all pages, judging included", "one repeat", milliseconds(taken["pages"]))
 

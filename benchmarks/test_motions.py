@@ -14,7 +14,7 @@ from pytest_benchmark.fixture import BenchmarkFixture
 
 from benchmarks.measuring import in_turns, timed
 from benchmarks.results import Results, Section
-from repro.__main__ import all_papers
+from repro.commands.catalogue import all_papers
 from repro.determinism.compiled import COST, VECTOR, ready
 from repro.functions.function import BenchmarkProblem
 from repro.judge.certificates import certify
@@ -82,7 +82,7 @@ def _proving(paper: Paper) -> float:
     """Return the seconds of a program's first call: what is proved once is kept for later ones."""
     code = (
         "from time import perf_counter\n"
-        "from repro.__main__ import all_papers\n"
+        "from repro.commands.catalogue import all_papers\n"
         "from repro.judge.certificates import certify\n"
         f"paper = all_papers()[{paper.key!r}]\n"
         "start = perf_counter()\n"

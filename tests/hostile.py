@@ -11,12 +11,12 @@ from functools import cache
 from html.parser import HTMLParser
 from pathlib import Path
 
+from repro.commands.written_pages import write_pages
 from repro.errors import DeclarationError
 from repro.model.claims import Sentence, every_cell
 from repro.model.open_points import Erratum, Gap
 from repro.model.paper import Alternative, Assumption, Paper, Source
 from repro.model.tolerances import Percent
-from repro.report.pages import write_report
 from repro.runs.plan import plan
 from repro.runs.run import execute
 from repro.runs.store.store import Store
@@ -185,7 +185,7 @@ def pages(text: str) -> dict[str, str]:
                 {"date": f"d{text}", "processor": f"p{text}", "packages": {"x": f"v{text}"}}
             )
             store.add(map(execute, tasks))
-            write_report(store, [paper], tasks, folder / "reports", [paper])
+            write_pages(store, [paper], tasks, folder / "reports", [paper.key])
         outside = {path.name for path in folder.iterdir()}
         assert outside == {"store", "reports"}
         return {

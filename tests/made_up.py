@@ -3,8 +3,8 @@
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+from repro.commands.written_pages import write_pages
 from repro.model.paper import Paper
-from repro.report.pages import write_report
 from repro.runs.plan import plan
 from repro.runs.session import run_missing
 from repro.runs.store.store import Store
@@ -26,7 +26,7 @@ def pages_of(folder: Path, paper: Paper = PAPER, repeats: int = 2) -> dict[str, 
                 environment=lambda: ENVIRONMENT,
                 report=lambda *_: None,
             )
-        write_report(store, [paper], tasks, folder / "reports", [paper])
+        write_pages(store, [paper], tasks, folder / "reports", [paper.key])
     return {
         str(path.relative_to(folder / "reports")): path.read_text(encoding="utf-8")
         for path in sorted((folder / "reports").rglob("*"))

@@ -1,5 +1,6 @@
 """A made-up paper whose searches are plain Python and take no time."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Unpack
 
@@ -8,7 +9,7 @@ from numpy.typing import NDArray
 
 from repro.determinism.compiled import jit
 from repro.model.claims import every_cell
-from repro.model.evidence import Evidence, Runs
+from repro.model.evidence import Cell, Evidence, Runs
 from repro.model.experiment import Experiment
 from repro.model.paper import Paper, Source
 from repro.model.tolerances import Percent
@@ -125,6 +126,11 @@ PAPER = Paper(
 )
 
 
+def evidence_of(paper: Paper, runs: Mapping[Cell, Runs]) -> Evidence:
+    """Return evidence of a paper's own experiments, from these runs."""
+    return Evidence(key=paper.key, experiments=paper.experiments, runs=runs)
+
+
 def searching(**algorithms: Optimiser) -> Paper:
     """Return a paper without claims that runs these algorithms."""
     experiment = replace(EXPERIMENT, algorithms=algorithms)
@@ -142,7 +148,7 @@ def evidence(paper: Paper = PAPER, **costs: list[list[float]]) -> Evidence:
             histories=cell[..., None] * np.arange(5.0, 0.0, -1.0),
             evaluations=20,
         )
-    return Evidence(paper, runs)
+    return evidence_of(paper, runs)
 
 
 MODULE = """

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from repro.audit import AuditRow, Grade, audit
+from repro.audit.blocks import CEILINGS
 from repro.functions import FUNCTIONS
 from repro.model.claims import CellClaim, Sentence
 from repro.model.experiment import Experiment
@@ -18,7 +19,6 @@ from repro.model.paper import Paper, Source
 from repro.model.tolerances import Percent
 from repro.optimisers import WOA
 from repro.statistics.summary import standard_deviation
-from repro.tables.blocks import CEILINGS
 from repro.tables.published import PublishedTable
 from repro.tables.relations import Relation
 

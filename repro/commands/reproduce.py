@@ -27,12 +27,12 @@ from repro.runs.workers.local import checked_workers, local
 def run(options: Namespace) -> int:
     """Run, judge, write; the last line says what differs from the expected verdicts."""
     chosen = catalogue.chosen(options.keys)
-    keys = [paper.key for paper in chosen]
+    keys, known = [paper.key for paper in chosen], list(catalogue.all_papers())
     tasks = plan(chosen, options.repeats, options.master_seed, protocol_only=options.protocol_only)
     checked_workers(options.workers)
     usable_folder(options.reports)
     written = Written(
-        tasks=tasks, chosen=keys, known=list(catalogue.all_papers()),
+        tasks=tasks, chosen=keys, known=known,
         declarations=catalogue.folders(), reports=options.reports,
     )  # fmt: skip
 
@@ -40,7 +40,7 @@ def run(options: Namespace) -> int:
         if written.stand(store):
             return [], read_results(options.reports / "results.json")
         failed = _run(store, tasks, options)
-        results = write_pages(store, chosen, tasks, options.reports)
+        results = write_pages(store, chosen, tasks, options.reports, known)
         written.remember(store)
         return failed, results
 

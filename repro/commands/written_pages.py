@@ -1,9 +1,8 @@
 """From a store to pages: what `reproduce` ends with and `report` does alone."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from repro.commands import catalogue
 from repro.judge.judgement import Judgement, judge
 from repro.model.paper import Paper
 from repro.report.pages import write_report
@@ -14,13 +13,18 @@ from repro.runs.store.store import Store
 from repro.runs.studies import studies
 
 
-def write_pages(store: Store, chosen: Sequence[Paper], tasks: Sequence[Task], folder: Path) -> Json:
-    """Judge the papers by what the store has of the tasks, write the pages, return the results."""
+def write_pages(
+    store: Store, chosen: Sequence[Paper], tasks: Sequence[Task], folder: Path, known: Iterable[str]
+) -> Json:
+    """Judge the papers by what the store has of the tasks, write the pages, return the results.
+
+    `known` are the keys of all papers, in their order.
+    """
     own = {paper.key: [task for task in tasks if task.paper == paper.key] for paper in chosen}
     return write_report(
         (judged(store, paper, own[paper.key]) for paper in chosen),
         folder,
-        list(catalogue.all_papers()),
+        known,
         environments={key: store.environments(tasks) for key, tasks in own.items()},
         master_seed=tasks[0].seed if tasks else "",
     )

@@ -76,46 +76,16 @@ def passing_through(
     waypoints: Sequence[Sequence[float]], durations: Sequence[float], *, degree: int
 ) -> PiecewiseMotion:
     """Return the motion through the waypoints that rests at the first and the last alone."""
-    points = np.array(waypoints)
-    system, values = _conditions(points, durations, degree)
-    coefficients = np.linalg.solve(system, values).reshape(len(durations), degree + 1, -1)
-    curves = tuple(tuple(Polynomial(joint) for joint in segment.T) for segment in coefficients)
-    return PiecewiseMotion(curves=curves, durations=tuple(durations))
+    from scipy.interpolate import make_interp_spline  # noqa: PLC0415 (slow to load)
 
-
-def _conditions(points: Vector, durations: Sequence[float], degree: int) -> tuple[Vector, Vector]:
-    """Return matrix (n, n) and right-hand sides (n, joints) of n = segments · (degree + 1)."""
-    segments, size = len(durations), degree + 1
-    start, end = _derivatives_at(0, degree), _derivatives_at(1, degree)
-    rows, values = [], []
-
-    def condition(parts: dict[int, Vector], value: Vector) -> None:
-        row = np.zeros((segments, size))
-        for segment, part in parts.items():
-            row[segment] = part
-        rows.append(row.ravel())
-        values.append(value)
-
-    nothing = np.zeros(points.shape[1])
-    for k in range(segments):
-        condition({k: start[0]}, points[k])
-        condition({k: end[0]}, points[k + 1])
-    for k in range(segments - 1):
-        stretch = durations[k] / durations[k + 1]
-        for m in range(1, degree):
-            condition({k: end[m], k + 1: -start[m] * stretch**m}, nothing)
-    for m in range(1, (degree + 1) // 2):
-        condition({0: start[m]}, nothing)
-        condition({segments - 1: end[m]}, nothing)
-    return np.array(rows), np.array(values)
-
-
-def _derivatives_at(time: int, degree: int) -> Vector:
-    """Return the m-th derivative of every power t^i at t = 0 or 1, shape (m, i)."""
-    powers = range(degree + 1)
-    return np.array(
-        [
-            [float(math.perm(i, m)) if i == m or (time and i > m) else 0.0 for i in powers]
-            for m in powers
-        ]
+    times = np.cumsum([0.0, *durations])
+    rest = [(m, np.zeros(len(waypoints[0]))) for m in range(1, (degree + 1) // 2)]
+    spline = make_interp_spline(times, np.array(waypoints), k=degree, bc_type=(rest, rest))
+    # Taylor's coefficients at the start of each segment, in its own time: (segments, powers, joints)
+    stretch = np.asarray(durations)[:, None]
+    pieces = np.stack(
+        [spline(times[:-1], nu=m) * stretch**m / math.factorial(m) for m in range(degree + 1)],
+        axis=1,
     )
+    curves = tuple(tuple(Polynomial(joint) for joint in segment.T) for segment in pieces)
+    return PiecewiseMotion(curves=curves, durations=tuple(durations))

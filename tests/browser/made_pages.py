@@ -4,12 +4,12 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
 
-from repro.__main__ import all_papers
+from repro.commands.catalogue import all_papers
+from repro.commands.written_pages import write_pages
 from repro.model.claims import every_cell, lowest_everywhere
 from repro.model.experiment import Experiment
 from repro.model.paper import Paper
 from repro.model.tolerances import Percent
-from repro.report.pages import write_report
 from repro.runs.plan import plan
 from repro.runs.session import run_missing
 from repro.runs.store.store import Store
@@ -80,5 +80,5 @@ def make_pages(folder: Path) -> Path:
             environment=lambda: ENVIRONMENT,
             report=lambda *_: None,
         )
-        write_report(store, papers, tasks, folder / "reports", papers)
+        write_pages(store, papers, tasks, folder / "reports", papers)
     return folder / "reports"

@@ -11,7 +11,7 @@ import pytest
 from matplotlib.image import imread
 from numpy.typing import NDArray
 
-from repro.report.pages import write_report
+from repro.commands.written_pages import write_pages
 from repro.runs.plan import plan
 from repro.runs.store.store import Store
 from tests.browser.conftest import of_extra
@@ -30,7 +30,9 @@ def address(tmp_path_factory: pytest.TempPathFactory) -> str:
     """Return the address of a page that shows an arm."""
     folder = tmp_path_factory.mktemp("arm")
     with Store(folder / "store") as store:
-        write_report(store, [SHOWING_AN_ARM], plan([SHOWING_AN_ARM], 1), folder, [SHOWING_AN_ARM])
+        write_pages(
+            store, [SHOWING_AN_ARM], plan([SHOWING_AN_ARM], 1), folder, [SHOWING_AN_ARM.key]
+        )
     return (folder / "doe2021.html").as_uri()
 
 

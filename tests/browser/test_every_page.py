@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from repro.__main__ import all_papers
+from repro.commands.catalogue import all_papers
 from tests.browser.conftest import OWN, Open, of_extra
 
 PICTURES = Path(__file__).parent / "pictures"

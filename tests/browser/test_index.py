@@ -2,7 +2,7 @@
 
 import re
 
-from repro.__main__ import all_papers
+from repro.commands.catalogue import all_papers
 from tests.browser.conftest import Open
 
 

@@ -70,7 +70,7 @@ def test_what_i_must_type_to_see_this_number_again(
     shown = cell.locator(".again").inner_text()
 
     nox, _, session, _, *arguments = shlex.split(typed)
-    monkeypatch.setattr("repro.__main__.all_papers", lambda: {"doe2021": PAPER})
+    monkeypatch.setattr("repro.commands.catalogue.all_papers", lambda: {"doe2021": PAPER})
     code = main([session, *arguments])
 
     assert (nox, session, code) == ("nox", "again", 0)

@@ -1,7 +1,7 @@
 """Setting aside what is damaged in a store: never trusted again, never deleted."""
 
 import sqlite3
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from contextlib import closing, suppress
 from itertools import count
 from pathlib import Path
@@ -26,13 +26,13 @@ def has_packed(database: sqlite3.Connection) -> bool:
     return any(column[1] == "packed" for column in columns)
 
 
-def damaged_rows(database: sqlite3.Connection) -> Iterator[tuple[int, str]]:
-    """Yield (id, name) of every row that is not what was written."""
+def damaged_rows(database: sqlite3.Connection) -> Iterator[str]:
+    """Yield the name of every row that is not what was written."""
     query = row_query(packed=has_packed(database))
     for (number,) in database.execute("select id from run not indexed"):
         row: Row = database.execute(query, (number,)).fetchone()
         if whole_curve(row) is None:
-            yield number, name_of(row)
+            yield name_of(row)
 
 
 def name_of(row: Row | None) -> str:
@@ -41,27 +41,6 @@ def name_of(row: Row | None) -> str:
         return "a run without a name"
     text = "/".join(map(str, row[1:7]))
     return text if text.isprintable() and len(text) < 200 else ascii(text)[:200]
-
-
-def set_aside(database: sqlite3.Connection, numbers: Iterable[int]) -> None:
-    """Move rows, by their ids, to the table `damaged`, as they are."""
-    with database:
-        for position, number in enumerate(numbers):
-            if not position:
-                database.execute(
-                    "reindex"
-                )  # an index that still has the true key would be in the way
-            database.execute(
-                f"insert into damaged(was, {COLUMNS}, sha, json, y, packed) "  # noqa: S608
-                f"select run.id, {COLUMNS}, sha, json, y, packed from run "
-                "left join curve using (id) left join env on env.id = run.env where run.id = ?",
-                (number,),
-            )
-            database.execute("delete from curve where id = ?", (number,))
-            gone = database.execute("delete from run where id = ?", (number,))
-            if gone.rowcount != 1:  # where the schema is damaged no id is a row's
-                message = "a row is not where its id says"
-                raise sqlite3.DatabaseError(message)
 
 
 def set_file_aside(folder: Path) -> Path:

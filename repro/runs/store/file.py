@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TextIO
 
 from repro.errors import DamageError, InputError, StoreError
-from repro.runs.store.row import COLUMNS, LONGEST
+from repro.runs.store.row import LONGEST
 
 NAME = "runs.sqlite"
 SCHEMA = 2
@@ -19,11 +19,7 @@ APPLICATION = 0x52455052  # "REPR"
 _UNUSABLE = ("SQLITE_CANTOPEN", "SQLITE_FULL", "SQLITE_IOERR", "SQLITE_READONLY", "SQLITE_PERM")
 UNREADABLE = (sqlite3.Error, UnicodeDecodeError)  # the second in what SQLite says of damage
 _FULL = "no room is left; finished runs are kept, make room and run the same command again"
-_DAMAGED = f"""
-create table damaged(
-    id integer primary key, was integer not null, {COLUMNS}, sha, json, y, packed);
-"""
-TABLES = f"""
+TABLES = """
 create table env(id integer primary key, json text unique not null);
 create table run(
     id integer primary key, key text unique not null, paper text not null, experiment text not null,
@@ -32,10 +28,9 @@ create table run(
     reason text, env integer not null references env(id), sha text not null);
 create table curve(
     id integer primary key references run(id), y blob not null, packed integer not null default 0);
-{_DAMAGED}
 """
-# schema 1 kept every curve as it is and had no place for damaged rows
-_FROM_1 = f"alter table curve add column packed integer not null default 0; {_DAMAGED}"
+# schema 1 kept every curve as it is
+_FROM_1 = "alter table curve add column packed integer not null default 0;"
 _JOURNALS = (b"\x37\x7f\x06\x82", b"\x37\x7f\x06\x83")  # how a write-ahead log of SQLite begins
 
 

@@ -16,7 +16,6 @@ from repro.runs.store.damage import (
     damaged_rows,
     has_packed,
     row_query,
-    set_aside,
     set_file_aside,
     take_over,
     whole_rows,
@@ -244,32 +243,19 @@ class Store:
     def damaged(self) -> Iterator[str]:
         """Yield the name of every row that is not what was written."""
         with self._refusing():
-            yield from (name for _, name in damaged_rows(self._database))
-
-    def set_rows_aside(self) -> int:
-        """Set aside and name every damaged row, and return their number."""
-        with self._refusing():
-            found = list(damaged_rows(self._database))
-            if found:
-                set_aside(self._database, [number for number, _ in found])
-        for _, name in found[:_NAMED]:
-            self._say(
-                f"{self.path}: the row of {name} is damaged; it is set aside in the table "
-                "`damaged`, and the run is made again where it is asked for"
-            )
-        if len(found) > _NAMED:
-            self._say(f"{self.path}: {len(found) - _NAMED} more rows are set aside likewise")
-        return len(found)
+            yield from damaged_rows(self._database)
 
     def mend(self, damage: DamageError) -> None:
-        """Set aside the rows that are damaged, or else the file, of which whole rows are kept."""
-        try:
-            found = self.set_rows_aside()
-        except StoreError:
-            found = 0
-        if not found:
-            self._close()
-            self._set_file_aside(damage)
+        """Name the rows that are damaged, set the file aside, and take over every whole row."""
+        names = []
+        with suppress(StoreError):
+            names.extend(self.damaged())
+        for name in names[:_NAMED]:
+            self._say(f"{self.path}: the row of {name} is damaged")
+        if len(names) > _NAMED:
+            self._say(f"{self.path}: {len(names) - _NAMED} more rows are damaged")
+        self._close()
+        self._set_file_aside(damage)
 
     def _set_file_aside(self, damage: DamageError) -> None:
         with refusing(self.folder):

@@ -1,0 +1,132 @@
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+
+from repro.__main__ import main
+from repro.determinism import source_digests as sources
+from tests.small_papers import PAPER
+
+MODULE = """
+def centre(cost, bounds, budget, rng): return bounds.mean(axis=1)
+def sample(cost, bounds, budget, rng):
+    points = rng.uniform(*bounds.T, size=(budget, len(bounds)))
+    return min(points, key=cost)
+def lost(cost, bounds, budget, rng): raise ValueError("no way\\nhome")
+"""
+
+Run = Callable[..., tuple[int, str, str]]
+
+
+def forget_sources() -> None:
+    """Let the digests of sources be taken anew, as another process would."""
+    for value in vars(sources).values():
+        if hasattr(value, "cache_clear"):
+            value.cache_clear()
+
+
+@pytest.fixture
+def run(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> Iterator[Run]:
+    """Yield what runs a command in a folder with a module of searches."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(sys, "path", [*sys.path])
+    monkeypatch.setattr("repro.commands.catalogue.all_papers", lambda: {PAPER.key: PAPER})
+    (tmp_path / "mine.py").write_text(MODULE)
+    forget_sources()
+
+    def command(*arguments: str) -> tuple[int, str, str]:
+        code = main(arguments)
+        return (code, *capsys.readouterr())
+
+    yield command
+    sys.modules.pop("mine", None)
+
+
+def page(name: str) -> str:
+    return Path(f"reports-private/{name}").read_text(encoding="utf-8")
+
+
+def test_search_has_its_row_beside_the_algorithms_of_the_store(run: Run) -> None:
+    run("reproduce", "--repeats", "1")
+
+    code, out, _ = run("compare", "mine:centre", "--workers", "1")
+
+    assert (code, out) == (0, "page: reports-private/centre.html\n")
+    assert "| centre | yours | 3 | 1 |" in page("centre.md")
+    assert "| guess | printed protocol | 3 | 20 |" in page("centre.md")
+    assert "| bowl | guess 0.05; wide 0.5 |" in page("centre.md")
+    assert "| bowl | wide | printed protocol |" in page("centre.md")
+
+
+def test_same_search_is_not_run_again_and_a_changed_one_is(run: Run) -> None:
+    first = run("compare", "mine:sample", "--workers", "1")
+    again = run("compare", "mine:sample", "--workers", "1")
+    Path("mine.py").write_text(MODULE.replace("budget, len", "budget // 2, len"))
+    sys.modules.pop("mine")
+    forget_sources()
+    changed = run("compare", "mine:sample", "--workers", "1")
+
+    assert "3/3 runs" in first[2]
+    assert again[2] == ""
+    assert "3/3 runs" in changed[2]
+
+
+def test_published_pages_are_left_alone(run: Run) -> None:
+    run("reproduce", "--repeats", "1", "--reports", "elsewhere")
+    before = {path: path.read_bytes() for path in Path("elsewhere").rglob("*.*")}
+
+    refused = [
+        run("compare", "mine:centre", "--reports", name) for name in ("elsewhere", "reports")
+    ]
+
+    assert [code for code, *_ in refused] == [2, 2]
+    assert "holds published pages" in refused[0][2]
+    assert {path: path.read_bytes() for path in Path("elsewhere").rglob("*.*")} == before
+    assert not Path("reports").exists()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "fault"),
+    [
+        (("mine:nothing",), "'mine' has no 'nothing'"),
+        (("mine:centre", "--name", "wide"), "'wide' belongs to another algorithm"),
+        (("mine:centre", "--name", "CMA-ES (cmaes)"), "belongs to another algorithm"),
+        (("mine:centre", "--name", "a/b"), "must be printable, with no '/'"),
+        (("mine:centre", "--name", "a\nb"), "must be printable"),
+        (("mine:centre", "--name", " "), "must be printable"),
+        (("mine:centre", "nobody1900"), "unknown paper 'nobody1900'"),
+        (("mine:centre", "--repeats", "0"), "repeats is 0"),
+        (("mine:centre", "--workers", "0"), "workers is 0"),
+        (("mine:centre", "--reports", "mine.py"), "the reports folder mine.py cannot be used"),
+    ],
+)
+def test_bad_input_is_one_line_and_exit_code_2(
+    run: Run, arguments: tuple[str, ...], fault: str
+) -> None:
+    code, out, err = run("compare", *arguments)
+
+    assert (code, out) == (2, "")
+    assert fault in err
+    assert err.count("\n") == 1
+    assert {path.name for path in Path().iterdir()} <= {"mine.py", "__pycache__"}
+
+
+def test_failed_runs_are_named_with_exit_code_1_and_on_the_page(run: Run) -> None:
+    code, _, err = run("compare", "mine:lost", "--workers", "1")
+
+    assert code == 1
+    assert "repro: run small2020/search/bowl/lost/1/3 failed: ValueError: no way" in err
+    assert "Traceback" not in err
+    assert "no way" in page("lost.html")
+
+
+def test_name_can_open_no_tag(run: Run) -> None:
+    run("compare", "mine:centre", "--workers", "1", "--name", "<img src=x>|*")
+
+    assert "<img" not in page("img-src-x.html")
+    assert "&lt;img src=x&gt;|*" in page("img-src-x.html")
+    assert "<img" not in page("img-src-x.md")
+    assert "&amp;lt;" not in page("img-src-x.md")

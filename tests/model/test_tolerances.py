@@ -1,0 +1,83 @@
+import math
+import sys
+
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+
+from repro.model.tolerances import Absolute, Between, Fitness, Percent, Tolerance
+from repro.tables.published import Printed
+from repro.tables.true_numbers import ZERO_FITNESS, ZERO_STD
+
+FITNESS = Fitness(decades=1, near_zero=0.01, percent=25)
+
+
+@pytest.mark.parametrize("tolerance", [Percent(1), Percent(0), Absolute(0), Absolute(2), FITNESS])
+@given(number=st.floats(-1e12, 1e12), digits=st.integers(0, 6))
+def test_every_number_that_prints_as_this_one_is_accepted(
+    tolerance: Tolerance, number: float, digits: int
+) -> None:
+    printed = Printed(f"{number:.{digits}e}")
+    assume(printed.value != 0 or number == 0)
+
+    low, high = tolerance.band(printed)
+
+    slack = 1e-12 * abs(number)
+    assert low <= printed.value <= high
+    assert low - slack <= number <= high + slack
+
+
+@given(st.floats(1e-6, 1e6), st.sampled_from([Percent(3), Absolute(0.1), FITNESS]))
+def test_band_of_a_negative_number_is_the_mirrored_one(number: float, tolerance: Tolerance) -> None:
+    low, high = tolerance.band(Printed(f"{number:.3e}"))
+
+    assert tolerance.band(Printed(f"-{number:.3e}")) == (-high, -low)
+
+
+@pytest.mark.parametrize(
+    ("tolerance", "text", "band"),
+    [
+        (Percent(1), "4.69", (4.69 - 0.0519, 4.69 + 0.0519)),
+        (Percent(10), "-200", (-220.5, -179.5)),
+        (Absolute(0), "1.53", (1.525, 1.535)),
+        (Absolute(0.5), "18.3", (17.75, 18.85)),
+        (Between(1, 100), "18.3", (1.0, 100.0)),
+        (FITNESS, "2.0", (1.45, 2.55)),
+        (FITNESS, "0.010", (0.007, 0.013)),
+        (FITNESS, "0.009", (0.00085, 0.095)),
+        (FITNESS, "7.91×10^-74", (7.905e-75, 7.915e-73)),
+    ],
+)
+def test_band_is_printed_value_with_tolerance_and_rounding(
+    tolerance: Tolerance, text: str, band: tuple[float, float]
+) -> None:
+    assert tolerance.band(Printed(text)) == pytest.approx(band, rel=1e-12)
+
+
+def test_printed_zero_accepts_what_double_arithmetic_rounds_to_it() -> None:
+    spread = Fitness(decades=1, near_zero=0.01, percent=25, zero=ZERO_STD)
+
+    assert FITNESS.band(Printed("0")) == (0.0, sys.float_info.min)
+    assert spread.band(Printed("0.00×10^0")) == (0.0, ZERO_STD)
+
+
+def test_zeros_are_the_limits_of_double_arithmetic() -> None:
+    assert sys.float_info.min == ZERO_FITNESS
+    assert math.sqrt(math.ulp(0.0)) == ZERO_STD
+    assert (0.7 * ZERO_STD) ** 2 == 0.0  # below the square root by more than the rounding
+    assert ZERO_STD**2 > 0.0
+
+
+@pytest.mark.parametrize(
+    ("tolerance", "words"),
+    [
+        (Percent(1), "within 1 % and the printed rounding"),
+        (Absolute(0.5), "within 0.5 and the printed rounding"),
+        (Absolute(0), "as printed"),
+        (Between(0, 2), "between 0 and 2"),
+        (Between(1, 1), "exactly 1"),
+        (FITNESS, "within 25 %, below 0.01 within a factor 10; a printed 0 means below 2e-308"),
+    ],
+)
+def test_tolerance_is_said_in_words(tolerance: Tolerance, words: str) -> None:
+    assert tolerance.words == words

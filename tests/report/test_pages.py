@@ -1,0 +1,167 @@
+import json
+import re
+from dataclasses import replace
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+
+from repro.commands.written_pages import write_pages
+from repro.report.pages import index_files
+from repro.runs.plan import plan
+from repro.runs.store.store import Store
+from tests.doe2021 import PAPER
+from tests.made_up import pages_of
+
+GOLDEN = Path(__file__).parents[1] / "golden" / "doe2021.md"
+FINDING = {
+    *("table", "row", "column", "claim", "where", "printed", "unit", "measured", "value"),
+    *("accepted", "verdict", "side", "note"),
+}
+AUDIT = {"paper", "table", "row", "column", "check", "grade", "explanation"}
+CERTIFICATE = {
+    *("paper", "problem", "minimum", "lower_bound", "attained", "method", "at", "binding"),
+    "printed",
+}
+
+
+@pytest.fixture(scope="module")
+def pages(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
+    return pages_of(tmp_path_factory.mktemp("doe"))
+
+
+class Page(HTMLParser):
+    """Tags, identifiers, links and loaded resources of a page."""
+
+    def __init__(self, text: str) -> None:
+        """Read the page."""
+        super().__init__()
+        self.identifiers: list[str] = []
+        self.links: list[str] = []
+        self.loaded: list[str] = []
+        self.tags: list[str] = []
+        self.feed(text)
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        """Note what a tag carries."""
+        self.tags.append(tag)
+        for name, value in attrs:
+            if name == "id":
+                self.identifiers.append(value or "")
+            if name == "href":
+                self.links.append(value or "")
+            if name == "src" or (name == "href" and tag in {"link", "image", "use"}):
+                self.loaded.append(value or "")
+
+
+def test_the_markdown_page_is_the_one_that_a_person_read(pages: dict[str, str]) -> None:
+    assert pages["doe2021.md"] == GOLDEN.read_text(encoding="utf-8")
+
+
+def test_results_follow_the_contract(pages: dict[str, str]) -> None:
+    results = json.loads(pages["results.json"])
+    assert results["schema"] == 1
+    (entry,) = results["papers"]
+    assert entry["key"] == "doe2021"
+    assert len(entry["findings"]) == len(PAPER.claims)
+    assert all(set(finding) >= FINDING for finding in entry["findings"])
+    assert all(set(row) >= AUDIT for row in entry["audit"])
+    assert all(set(row) >= CERTIFICATE for row in entry["certificates"])
+    assert {"assumptions", "errata", "gaps", "title"} <= set(entry)
+
+
+def test_a_page_loads_nothing_and_every_link_leads_somewhere(pages: dict[str, str]) -> None:
+    for name in ("doe2021.html", "index.html"):
+        page = Page(pages[name])
+        assert [place for place in page.loaded if not place.startswith(("#", "data:"))] == []
+        for link in page.links:
+            path, _, part = link.partition("#")
+            there = path.partition("?")[0] or name
+            assert there in pages, link
+            assert not part or part in Page(pages[there]).identifiers, link
+        assert "http://" not in re.sub(r'xmlns(:\w+)?="[^"]+"', "", pages[name])
+        assert "https://" not in pages[name]
+
+
+def test_no_identifier_stands_twice_on_a_page(pages: dict[str, str]) -> None:
+    identifiers = Page(pages["doe2021.html"]).identifiers
+    assert sorted(identifiers) == sorted(set(identifiers))
+
+
+def test_text_of_a_paper_cannot_become_markup(pages: dict[str, str]) -> None:
+    assert "<arm>" not in pages["doe2021.html"]
+    assert "Motion of an &lt;arm&gt; &amp; a whale" in pages["doe2021.html"]
+
+
+@pytest.mark.parametrize(
+    "hostile", ["<script>alert(1)</script>", '"><img src=x>', "{{ 7 * 7 }}", "</style>"]
+)
+def test_a_hostile_title_stays_text(tmp_path: Path, hostile: str) -> None:
+    source = replace(PAPER.source, title=hostile)
+    pages = pages_of(tmp_path, replace(PAPER, source=source, summary=hostile), repeats=1)
+    tags = Page(pages["doe2021.html"]).tags
+    plain = Page(pages_of(tmp_path / "plain", repeats=1)["doe2021.html"]).tags
+    assert tags == plain
+    assert "<p>49</p>" not in pages["doe2021.html"]
+
+
+def test_every_verdict_is_shown_by_word_and_symbol(pages: dict[str, str]) -> None:
+    results = json.loads(pages["results.json"])
+    verdicts = {finding["verdict"] for finding in results["papers"][0]["findings"]}
+    assert len(verdicts) >= 3
+    for verdict in verdicts:
+        assert re.search(rf"[✔✖≈∅○] {verdict}", pages["doe2021.html"])
+        assert re.search(rf"[✔✖≈∅○] {verdict}", pages["doe2021.md"])
+
+
+def test_every_table_and_figure_has_its_csv(pages: dict[str, str]) -> None:
+    tables = {"table-2", "table-3", "claims", "fig-1", "fig-2"}
+    assert {f"tables/doe2021-{name}.csv" for name in tables} <= set(pages)
+    assert len(pages["tables/doe2021-table-2.csv"].splitlines()) == 1 + 4
+
+
+def test_the_same_store_gives_the_same_bytes(tmp_path: Path) -> None:
+    first = pages_of(tmp_path)
+    assert pages_of(tmp_path) == first
+
+
+def test_one_repeat_is_called_provisional(tmp_path: Path) -> None:
+    pages = pages_of(tmp_path, repeats=1)
+    assert "Provisional" in pages["doe2021.html"]
+    assert "Provisional" in pages["doe2021.md"]
+
+
+def test_a_paper_whose_tables_were_read_once_is_called_provisional(tmp_path: Path) -> None:
+    twice = pages_of(tmp_path / "twice", replace(PAPER, read_twice=True))
+    once = pages_of(tmp_path / "once")
+    for name in ("doe2021.html", "doe2021.md"):
+        assert "transcribed once only" in once[name]
+        assert "transcribed once only" not in twice[name]
+
+
+def test_pages_of_other_papers_stay_in_the_index(tmp_path: Path) -> None:
+    pages_of(tmp_path)
+    other = replace(PAPER, key="roe2022")
+    with Store(tmp_path / "store") as store:
+        tasks = plan([other], 1)
+        results = write_pages(store, [other], tasks, tmp_path / "reports", [PAPER, other])
+    assert [entry["key"] for entry in results["papers"]] == ["doe2021", "roe2022"]
+    assert {finding["verdict"] for finding in results["papers"][1]["findings"]} >= {"not run"}
+
+
+def test_index_says_what_another_master_seed_changes(pages: dict[str, str]) -> None:
+    results = json.loads(pages["results.json"])
+    told = {
+        "compared": 9,
+        "repeats": [2, 2],
+        "same": 8,
+        "opposite": 0,
+        "changes": {"reproduced → undecided": 1},
+        "flips": [],
+    }
+
+    for name in ("index.html", "index.md"):
+        index = index_files(results, told)[name]
+        assert "reproduced → undecided (1)" in index
+        assert "another-seed.json" in index
+        assert "another-seed.json" not in index_files(results)[name]

@@ -1,0 +1,66 @@
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+from repro.robotics.proofs.limit_pool import Limits
+from repro.robotics.proofs.limit_rows import Bend, Cut, Rationals, bend, cut, dot, exact
+from tests.robotics.test_spline_motion import PROBLEM
+
+MODEL = exact(PROBLEM)
+BOX = ((Fraction(1), Fraction(2)), (Fraction(3, 2), Fraction(5, 2)), (Fraction(1, 2), Fraction(3)))
+
+
+def test_rows_in_doubles_are_the_exact_ones() -> None:
+    limits = Limits(MODEL, [cut(MODEL, 1, 0, Fraction(1, 3))])
+
+    weights, least, _ = limits.rows(np.array(BOX, dtype=np.float64))
+
+    assert len(weights) == len(limits.known)
+    for row, bound, limit in zip(weights, least, limits.known, strict=True):
+        own = limit.row(BOX)
+        assert row == pytest.approx(list(map(float, own[0])), rel=1e-9, abs=1e-9)
+        assert bound == pytest.approx(float(own[1]), rel=1e-9, abs=1e-9)
+
+
+def test_limit_is_added_once() -> None:
+    limits = Limits(MODEL, [])
+    before = len(limits.known)
+
+    assert limits.add(0, 1, Fraction(1, 7), -1)
+    assert not limits.add(0, 1, Fraction(1, 7), -1)
+    assert len(limits.known) == before + 1
+
+
+def excess(limit: Cut | Bend, durations: Rationals) -> float:
+    """Return by how much a limit is broken."""
+    if isinstance(limit, Cut):
+        return float(limit.least - dot(limit.weights, durations))
+    return float(dot(limit.turn, durations) - dot(limit.slope, durations) ** 3)
+
+
+def test_added_limits_are_the_worst_of_their_span_and_joint() -> None:
+    limits, durations = Limits(MODEL, []), (Fraction(3), Fraction(1), Fraction(2))
+    start = len(limits.known)
+    every = [Fraction(k, 300) for k in range(301)]
+
+    added = limits.add_worst(np.array(durations, dtype=np.float64))
+
+    fresh = limits.known[start:]
+    assert added == len(fresh) > 0
+    assert {type(each) for each in fresh} == {Cut, Bend}
+    for each in fresh:
+        at = excess(each, durations)
+        if isinstance(each, Cut):
+            others: list[Cut | Bend] = [cut(MODEL, each.span, each.joint, u) for u in every]
+        else:
+            sign = 1 if each == bend(MODEL, each.span, each.joint, each.u, sign=1) else -1
+            others = [bend(MODEL, each.span, each.joint, u, sign=sign) for u in every]
+        assert at > 0
+        assert at >= max(excess(other, durations) for other in others) - 1e-6
+
+
+def test_motion_that_obeys_adds_nothing() -> None:
+    limits = Limits(MODEL, [])
+
+    assert limits.add_worst(np.full(3, 50.0)) == 0
