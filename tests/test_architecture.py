@@ -60,7 +60,7 @@ def pure(source: Path) -> bool:
 
 def test_engine_and_papers_are_found() -> None:
     assert COMMAND_LINE in ENGINE
-    assert Path("papers/liang2026/__init__.py") in PAPERS
+    assert Path("papers/liang2026.py") in PAPERS
     assert all(any(name in str(source) for source in ENGINE if pure(source)) for name in PURE)
     assert not pure(Path("repro/runs/store/store.py"))
 
