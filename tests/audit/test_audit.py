@@ -6,8 +6,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from papers.liang2026 import PAPER
-from papers.liang2026.printed import TABLE_II
+from papers.liang2026 import PAPER, TABLE_II
 from repro.audit import AuditRow, Grade, audit
 from repro.functions import FUNCTIONS
 from repro.judge.certificates import certify

@@ -3,7 +3,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from papers.liang2026.experiments import MOTION
+from papers.liang2026 import MOTION
 from papers.mousa2023.protocol import FIT
 from papers.syji.motions import PRINTED, RESTING
 from repro.functions import FUNCTIONS
