@@ -20,8 +20,11 @@ def budget(experiment: Experiment) -> int:
 
 def declared_evaluations(optimiser: Optimiser, population: int, iterations: int) -> int:
     """Return the evaluations of one run, as the optimiser declares its `spending`; else N·T."""
-    declared = isinstance(optimiser, DeclaresSpending)
-    spending = optimiser.spending(population) if declared else every_agent_once(population)
+    spending = (
+        optimiser.spending(population)
+        if isinstance(optimiser, DeclaresSpending)
+        else every_agent_once(population)
+    )
     return int(spending.start + spending.each * iterations)
 
 

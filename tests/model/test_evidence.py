@@ -85,3 +85,11 @@ def test_quantity_is_measured_once_for_all_that_ask_and_for_parts() -> None:
     assert asked == [4]
     assert (found[0] == found[1][::2]).all()
     assert (found[2] == found[1][1::2]).all()
+
+
+def test_halves_are_the_odd_and_the_even_repeats_and_share_none() -> None:
+    odd, even = evidence(guess=[[1], [2], [3], [4], [5]], wide=[[6]]).halves()
+
+    assert odd.values(CELL).ravel().tolist() == [1, 3, 5]
+    assert even.values(CELL).ravel().tolist() == [2, 4]
+    assert list(odd.runs) == list(even.runs) == [CELL]

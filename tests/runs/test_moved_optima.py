@@ -33,6 +33,16 @@ def test_an_optimum_off_the_centre_in_one_coordinate_is_left_out() -> None:
     assert centred(replace(LIANG_TEST, problems=branin)) == ()
 
 
+@pytest.mark.parametrize(("off", "counts"), [(4.9, True), (-4.9, True), (5.1, False)])
+def test_an_optimum_counts_as_central_up_to_a_twentieth_of_the_half_width(
+    off: float, *, counts: bool
+) -> None:
+    sphere = replace(FUNCTIONS["sphere"], box=((off - 100.0, off + 100.0),))
+    experiment = replace(LIANG_TEST, problems={"F": sphere.problem(3)})
+
+    assert bool(centred(experiment)) is counts
+
+
 def test_the_derived_experiment_is_the_papers_but_for_place_and_company() -> None:
     experiment = derived(0.2)
 

@@ -58,7 +58,7 @@ def drawing(plotted: Callable[[], Plot], *, title: str, identifier: str) -> Draw
 
 def _plot(figure: Figure, paper: Paper, evidence: Evidence) -> Plot:
     if isinstance(figure, Arm):
-        return arm_plot(figure, evidence, paper.assumptions)
+        return arm_plot(figure, paper.assumptions)
     if isinstance(figure, Convergence):
         return convergence_plot(figure, evidence) or _nothing()
     if isinstance(figure, Motion):

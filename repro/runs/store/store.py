@@ -247,8 +247,8 @@ class Store:
 
     def mend(self, damage: DamageError) -> None:
         """Name the rows that are damaged, set the file aside, and take over every whole row."""
-        names = []
-        with suppress(StoreError):
+        names: list[str] = []
+        with suppress(StoreError):  # of a file past reading
             names.extend(self.damaged())
         for name in names[:_NAMED]:
             self._say(f"{self.path}: the row of {name} is damaged")

@@ -103,6 +103,12 @@ def test_rank_of_overlapping_runs_varies_between_first_and_last() -> None:
     assert set(rank("a").measure(found).draws) == {1.0, 2.0, 3.0}
 
 
+def test_equal_ones_share_the_lower_rank_in_every_resampled_table() -> None:
+    found = evidence(searching(), a=[[2.0, 2.0]], b=[[2.0, 2.0]], c=[[3.0, 3.0]])
+
+    assert [set(rank(name).measure(found).draws) for name in NAMES] == [{1.0}, {1.0}, {3.0}]
+
+
 def test_measures_name_the_cells_that_they_need() -> None:
     fixed = Computed(how="as set", value=lambda: 10.0)
 

@@ -15,7 +15,6 @@ from repro.runs.plan import Task, plan
 from repro.runs.run import Record, execute, execute_all
 from repro.runs.workers.dispatch import run_all
 from repro.runs.workers.local import LocalExecutor, checked_workers, local, usable_cores
-from repro.runs.workers.process import TRIES
 from tests.held_searches import Free, Telling, deadly, many, on_rosenbrock, tasks_of
 from tests.runs.test_run import same
 from tests.runs.workers.test_process import is_alive
@@ -129,13 +128,13 @@ def test_lost_process_costs_no_other_run(tmp_path: Path) -> None:
 
 
 def test_task_that_kills_its_process_is_named_and_the_others_finish(tmp_path: Path) -> None:
-    tasks = tasks_of(deadly=deadly(tmp_path, TRIES), telling=Telling())
+    tasks = tasks_of(deadly=deadly(tmp_path, 3), telling=Telling())
 
     with local(1) as executor:
         found = run(tasks, executor, workers=1)
 
     assert {name: record.reason for name, record in found.items() if record.reason} == {
-        tasks[0].name: f"its worker died {TRIES} times, the last time by SIGKILL"
+        tasks[0].name: "its worker died 3 times, the last time by SIGKILL"
     }
     assert len(found) == 6
 
