@@ -35,8 +35,8 @@ def test_what_reads_files_back_imports_nothing_that_can_unpickle(reader: str) ->
 
 def test_pickles_are_for_workers_of_ones_own_alone() -> None:
     assert {source.stem for source in SOURCES if UNSAFE & set(imports(source))} <= {
-        "packing",  # tasks on their way to a worker
-        "processes",  # records on their way back through a pipe
+        "pickling",  # tasks on their way to a worker
+        "process",  # records on their way back through a pipe
     }
 
 

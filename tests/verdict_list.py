@@ -1,44 +1,30 @@
-"""The verdicts that the committed pages are expected to show, one CSV a paper.
+"""Write the lists of expected verdicts anew, from reports/results.json: `nox -s expect`.
 
-`python -m tests.verdict_list` writes the lists anew from reports/results.json: do so only with a
-line in CHANGELOG.md that says which verdict changed and why.
+Do so only with a line in CHANGELOG.md that says which verdict changed and why. On what machine the
+listed values came out stands beside, since another one may give other last digits.
 """
 
 import csv
 import json
 from pathlib import Path
-from typing import Any
 
-FOLDER = Path(__file__).parent / "verdicts"
-RESULTS = Path(__file__).parent.parent / "reports" / "results.json"
-COLUMNS = ("table", "row", "column", "claim", "printed", "verdict", "side")
+from repro.commands.catalogue import expected_file
+from repro.commands.expected_verdicts import COLUMNS, verdict_rows
+from repro.determinism.provenance import DECISIVE
 
-
-def committed_results() -> dict[str, Any]:
-    """Return the committed results.json, papers by key."""
-    results = json.loads(RESULTS.read_text(encoding="utf-8"))
-    return {entry["key"]: entry for entry in results["papers"]}
+MACHINE = Path(__file__).with_name("expected_machine.json")
 
 
-def verdict_rows(entry: dict[str, Any]) -> list[tuple[str, ...]]:
-    """Return the rows of one paper's list."""
-    return [tuple(str(finding[name] or "") for name in COLUMNS) for finding in entry["findings"]]
-
-
-def expected_rows(key: str) -> list[tuple[str, ...]]:
-    """Return the committed list of one paper."""
-    with (FOLDER / f"{key}.csv").open(encoding="utf-8", newline="") as file:
-        heading, *rows = csv.reader(file)
-    assert tuple(heading) == COLUMNS
-    return [tuple(row) for row in rows]
-
-
-def main() -> None:
-    """Write every list anew."""
-    FOLDER.mkdir(exist_ok=True)
-    for key, entry in committed_results().items():
-        with (FOLDER / f"{key}.csv").open("w", encoding="utf-8", newline="") as file:
+def main(reports: Path = Path("reports")) -> None:
+    """Write every list, and the machine."""
+    results = json.loads((reports / "results.json").read_text(encoding="utf-8"))
+    for entry in results["papers"]:
+        with expected_file(entry["key"]).open("w", encoding="utf-8", newline="") as file:
             csv.writer(file, lineterminator="\n").writerows([COLUMNS, *verdict_rows(entry)])
+    provenance = json.loads((reports / "provenance.json").read_text(encoding="utf-8"))
+    environments = next(iter(provenance["papers"].values()))["environments"]
+    decisive = {name: environments[0][name] for name in DECISIVE}
+    MACHINE.write_text(json.dumps(decisive, indent=1) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -75,7 +75,7 @@ def _compared(entries: Iterable[Mapping[str, Any]], master_seed: str) -> str:
         if expected is None:
             notes.append(f"{key} has no list of expected verdicts")
             continue
-        total += len(found)
+        total += max(len(found), len(expected))
         differing += [
             f"{key}, {_words(own or listed)}"
             for own, listed in zip_longest(found, expected)
@@ -86,13 +86,13 @@ def _compared(entries: Iterable[Mapping[str, Any]], master_seed: str) -> str:
         made = entry["provenance"]["repeats"]
         if (depth := max(int(row[8]) for row in expected)) != made:
             notes.append(f"{key} is expected of {depth} repeats, these are {made}")
-    line = f"{total - len(differing)} of {total} as expected"
+    line = f"{total - len(differing)} of {total} as expected" if total else ""
     if differing:
         more = f"; and {len(differing) - NAMED} more" if len(differing) > NAMED else ""
         line += f"; not: {'; '.join(differing[:NAMED])}{more}"
     if other_values and not master_seed:
         notes.append(f"the first repeat gives {other_values} other values (another processor?)")
-    return "; ".join((line, *notes))
+    return "; ".join(filter(None, (line, *notes)))
 
 
 def _words(row: Row) -> str:

@@ -79,9 +79,15 @@ def write_report(
 
 
 def _paper_files(judgement: Judgement, master_seed: str, files: Files) -> Json:
-    paper, evidence = judgement.paper, judgement.evidence
+    paper = judgement.paper
     drawings = [
-        draw(figure, paper, evidence, anchor(paper.key, figure.label)) for figure in paper.figures
+        draw(
+            figure,
+            judgement.evidence,
+            anchor(paper.key, figure.label),
+            assumptions=paper.assumptions,
+        )
+        for figure in paper.figures
     ]
     entry = paper_result(judgement, master_seed)
     runs = runs_view(judgement)

@@ -8,9 +8,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from repro.audit.blocks import CEILINGS, blocks
+from repro.audit.blocks import CEILINGS, bounds_of
 from repro.functions import FUNCTIONS
-from tests.summaries import audited, most, paper_of, scientific, summary
+from tests.summaries import audited, most, scientific, summary
 
 
 def dimension(name: str) -> int:
@@ -151,13 +151,13 @@ def test_ceiling_of_goldstein_price_is_proved_by_bernstein_coefficients() -> Non
 
 
 def test_box_wider_than_the_ceiling_is_proved_on_has_none() -> None:
-    (block,) = blocks(paper_of({"A": {"mean": "1.0", "std": "1.0"}}, n=10, function="sphere"))
+    own = FUNCTIONS["sphere"].problem(30)
     wide = replace(FUNCTIONS["sphere"], box=((-200.0, 200.0),))
     narrow = replace(FUNCTIONS["sphere"], box=((-50.0, 100.0),))
 
-    assert block.ceiling is not None
-    assert replace(block, problem=wide.problem(30)).ceiling is None
-    assert replace(block, problem=narrow.problem(30)).ceiling == block.ceiling
+    assert bounds_of(own).ceiling is not None
+    assert bounds_of(wide.problem(30)).ceiling is None
+    assert bounds_of(narrow.problem(30)).ceiling == bounds_of(own).ceiling
 
 
 def test_runs_that_end_on_the_ceiling_are_possible() -> None:

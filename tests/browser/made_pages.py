@@ -80,5 +80,5 @@ def make_pages(folder: Path) -> Path:
             environment=lambda: ENVIRONMENT,
             report=lambda *_: None,
         )
-        write_pages(store, papers, tasks, folder / "reports", papers)
+        write_pages(store, papers, tasks, folder / "reports", [paper.key for paper in papers])
     return folder / "reports"

@@ -115,7 +115,14 @@ def test_reproduce_runs_what_is_missing_and_writes_pages(run: Run) -> None:
     again = run("reproduce", "--repeats", "1")
     more = run("reproduce", "--repeats", "2", "--workers", "1")
 
-    assert first[:2] == again[:2] == more[:2] == (0, "pages: reports/index.html\n")
+    assert first[0] == again[0] == more[0] == 0
+    assert first[1] == again[1]
+    pages, headings, verdicts, compared = more[1].splitlines()
+    assert pages == "pages: reports/index.html"
+    assert headings.split()[:3] == ["paper", "reproduced", "contradicted"]
+    assert verdicts.split()[0] == "small2020"
+    assert verdicts.split()[-1] == "2"
+    assert compared == "small2020 has no list of expected verdicts"
     assert "6/6 runs (100 %)" in first[2]
     assert again[2] == ""
     assert "6/6 runs (100 %)" in more[2]

@@ -144,7 +144,7 @@ def test_pages_of_other_papers_stay_in_the_index(tmp_path: Path) -> None:
     other = replace(PAPER, key="roe2022")
     with Store(tmp_path / "store") as store:
         tasks = plan([other], 1)
-        results = write_pages(store, [other], tasks, tmp_path / "reports", [PAPER, other])
+        results = write_pages(store, [other], tasks, tmp_path / "reports", [PAPER.key, other.key])
     assert [entry["key"] for entry in results["papers"]] == ["doe2021", "roe2022"]
     assert {finding["verdict"] for finding in results["papers"][1]["findings"]} >= {"not run"}
 

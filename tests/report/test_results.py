@@ -6,14 +6,14 @@ from repro.report.results import merged, read_results, results_text
 
 
 def entry(key: str, runs: int = 1) -> dict[str, object]:
-    return {"key": key, "provenance": {"repeats": 2, "runs": runs, "environments": [{"cores": 2}]}}
+    return {"key": key, "provenance": {"repeats": 2, "runs": runs}}
 
 
 def test_a_fresh_entry_replaces_the_old_one_and_others_stay_in_the_papers_order() -> None:
     old = merged([entry("a"), entry("b", runs=1)], None, ["a", "b"])
     new = merged([entry("b", runs=5)], old, ["a", "b", "c"])
     assert [paper["key"] for paper in new["papers"]] == ["a", "b"]
-    assert new["provenance"] == {"repeats": 2, "runs": 6, "environments": [{"cores": 2}]}
+    assert new["provenance"] == {"repeats": 2, "runs": 6}
 
 
 def test_a_number_that_is_none_is_refused() -> None:

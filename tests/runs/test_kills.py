@@ -40,7 +40,7 @@ def command(folder: Path) -> tuple[str, ...]:
 
 def finish(folder: Path) -> str:
     done = subprocess.run(
-        command(folder), cwd=ROOT, capture_output=True, text=True, timeout=120, check=False
+        command(folder), cwd=ROOT, capture_output=True, text=True, timeout=600, check=False
     )
     assert (done.returncode, "Traceback" in done.stderr) == (0, False), done.stderr
     return done.stderr
@@ -144,7 +144,7 @@ def test_two_calls_at_once_both_finish_and_make_each_run_once(
         subprocess.Popen(command(tmp_path), cwd=ROOT, stderr=subprocess.PIPE, text=True)
         for _ in range(2)
     ]
-    said = [process.communicate(timeout=120)[1] for process in both]
+    said = [process.communicate(timeout=600)[1] for process in both]
 
     assert [process.returncode for process in both] == [0, 0]
     made = [int(text.rpartition("/40 runs")[0].rpartition("\n")[2] or 0) for text in said]

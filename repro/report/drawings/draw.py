@@ -1,11 +1,11 @@
 """The counterpart of a paper's figure: a drawing, what it says in words, and its data."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from repro.model.evidence import Evidence
 from repro.model.figures import Arm, Convergence, Figure, JointCurves, Motion, SplineMotion
-from repro.model.paper import Paper
+from repro.model.paper import Assumption
 from repro.report.drawings.arm import arm_plot
 from repro.report.drawings.convergence import HEADINGS, convergence_plot
 from repro.report.drawings.fitted_curves import joint_curves_plot
@@ -34,14 +34,22 @@ class Drawing:
     scene: Scene | None = None
 
 
-def draw(figure: Figure, paper: Paper, evidence: Evidence, identifier: str) -> Drawing:
-    """Return the drawing of a figure of the paper; where no run is there yet, it says so.
+def draw(
+    figure: Figure,
+    evidence: Evidence,
+    identifier: str,
+    *,
+    assumptions: Sequence[Assumption] = (),
+) -> Drawing:
+    """Return the drawing of a declared figure; where no run is there yet, it says so.
+
+    `assumptions` are the paper's, of which a picture of an arm names some.
 
     `identifier` begins every id in the SVG, so it must differ between the drawings of a page.
     The same arguments give the same bytes.
     """
     title = f"{figure.label}: {figure.caption}"
-    return drawing(lambda: _plot(figure, paper, evidence), title=title, identifier=identifier)
+    return drawing(lambda: _plot(figure, evidence, assumptions), title=title, identifier=identifier)
 
 
 def drawing(plotted: Callable[[], Plot], *, title: str, identifier: str) -> Drawing:
@@ -56,9 +64,9 @@ def drawing(plotted: Callable[[], Plot], *, title: str, identifier: str) -> Draw
     )
 
 
-def _plot(figure: Figure, paper: Paper, evidence: Evidence) -> Plot:
+def _plot(figure: Figure, evidence: Evidence, assumptions: Sequence[Assumption]) -> Plot:
     if isinstance(figure, Arm):
-        return arm_plot(figure, paper.assumptions)
+        return arm_plot(figure, assumptions)
     if isinstance(figure, Convergence):
         return convergence_plot(figure, evidence) or _nothing()
     if isinstance(figure, Motion):

@@ -22,7 +22,8 @@ SVG = "{http://www.w3.org/2000/svg}"
 
 def drawn(paper: Paper = SHOWING_AN_ARM) -> Drawing:
     (arm,) = (figure for figure in paper.figures if isinstance(figure, Arm))
-    return draw(arm, evidence_of(paper, {}), "paper-arm")
+    found = evidence_of(paper, {})
+    return draw(arm, found, "paper-arm", assumptions=paper.assumptions)
 
 
 def test_the_scene_has_every_corner_of_the_arm_in_millimetres() -> None:
@@ -105,4 +106,9 @@ def test_an_assumption_that_is_not_there_is_refused_by_name() -> None:
     figure = replace(ARM, assumed=("colour of the arm",))
     refusal = r"no assumption 'colour of the arm'; known: .*plane of the arm"
     with pytest.raises(DeclarationError, match=refusal):
-        draw(figure, evidence_of(SHOWING_AN_ARM, {}), "x")
+        draw(
+            figure,
+            evidence_of(SHOWING_AN_ARM, {}),
+            "x",
+            assumptions=SHOWING_AN_ARM.assumptions,
+        )

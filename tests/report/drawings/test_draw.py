@@ -1,6 +1,7 @@
 import re
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from functools import partial
 from xml.etree import ElementTree as ET
 
 import matplotlib as mpl
@@ -13,12 +14,15 @@ from repro.errors import InputError
 from repro.model.evidence import Cell, Evidence, Runs
 from repro.model.experiment import Experiment
 from repro.model.figures import Convergence, Figure
-from repro.report.drawings.draw import Drawing, draw
+from repro.report.drawings import draw as drawn_figures
+from repro.report.drawings.draw import Drawing
 from repro.report.words import number
 
 SVG = "{http://www.w3.org/2000/svg}"
 CONVERGENCE, TOOL_PATH, SET_MOTION, MOTION, _ARM = PAPER.figures
 from tests.small_papers import evidence_of
+
+draw = partial(drawn_figures.draw, assumptions=PAPER.assumptions)
 
 
 def runs_of(experiment: Experiment, problem: str, algorithm: str) -> Runs:
@@ -58,7 +62,7 @@ def drawing(request: pytest.FixtureRequest, evidence: Evidence) -> Drawing:
 
 def with_histories(evidence: Evidence, cell: Cell, histories: np.ndarray) -> Evidence:
     changed = replace(evidence.runs[cell], histories=histories)
-    return evidence_of(evidence.paper, {**evidence.runs, cell: changed})
+    return evidence_of(PAPER, {**evidence.runs, cell: changed})
 
 
 def parsed(drawing: Drawing) -> ET.Element:

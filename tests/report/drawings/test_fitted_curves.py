@@ -1,3 +1,5 @@
+from functools import partial
+
 import numpy as np
 import pytest
 
@@ -5,13 +7,16 @@ from papers.mousa2023 import PAPER
 from papers.mousa2023.protocol import FIT, QUINTIC
 from repro.model.evidence import Runs
 from repro.model.figures import JointCurves
-from repro.report.drawings.draw import Drawing, draw
+from repro.report.drawings import draw as drawn_figures
+from repro.report.drawings.draw import Drawing
 
 FIGURE = JointCurves(
     label="Fig. 4", caption="Joints", paths=QUINTIC, experiment=FIT.name, algorithms=("WOA", "GA")
 )
 COSTS = [[3.0, 9.0, 5.0]]  # the third run is in the middle
 from tests.small_papers import evidence_of
+
+draw = partial(drawn_figures.draw, assumptions=PAPER.assumptions)
 
 
 def runs(name: str) -> Runs:

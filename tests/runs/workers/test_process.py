@@ -124,17 +124,19 @@ def test_process_that_is_killed_from_outside_is_replaced(worker: WorkerProcess) 
     assert record.evaluations not in {first, os.getpid()}
 
 
-def test_worker_that_is_told_to_stop_gives_its_run_up_and_starts_no_other() -> None:
+def test_worker_that_is_told_to_stop_gives_its_run_up_and_starts_no_other(
+    tmp_path: Path,
+) -> None:
+    ended = tmp_path / "ended"
     worker = WorkerProcess()
     worker.execute(tasks_of(telling=Telling())[0])
     Timer(0.2, worker.kill).start()
 
-    start = time.monotonic()
     for _ in range(2):
         with pytest.raises(StoppedError):
-            worker.execute(tasks_of(slow=Telling(seconds=30.0))[0])
+            worker.execute(tasks_of(slow=Telling(seconds=60.0, ended=str(ended)))[0])
 
-    assert time.monotonic() - start < 5
+    assert not ended.exists()
 
 
 def test_closed_worker_leaves_no_process() -> None:
@@ -152,7 +154,7 @@ def test_process_ends_with_its_driver_in_the_middle_of_a_run() -> None:
         from tests.held_searches import Telling, tasks_of
         worker = WorkerProcess()
         print(worker.execute(tasks_of(telling=Telling())[0]).evaluations, flush=True)
-        worker.execute(tasks_of(slow=Telling(seconds=60.0))[0])
+        worker.execute(tasks_of(slow=Telling(seconds=600.0))[0])
     """
     with subprocess.Popen(
         (sys.executable, "-c", textwrap.dedent(program)), cwd=ROOT, stdout=subprocess.PIPE
@@ -163,7 +165,7 @@ def test_process_ends_with_its_driver_in_the_middle_of_a_run() -> None:
         assert is_alive(process)
         driver.kill()
 
-    limit = time.monotonic() + 2
+    limit = time.monotonic() + 120  # seconds for a busy machine; it takes a moment
     while is_alive(process) and time.monotonic() < limit:
         time.sleep(0.02)
     alive = is_alive(process)
