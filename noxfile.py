@@ -123,7 +123,9 @@ def cluster(session: nox.Session) -> None:
     """Run every paper's protocol on a Dask cluster that loses workers and its scheduler."""
     _install(session, "cluster")
     environment = {**ONE_THREAD, "REPRO_CLUSTER": "whole"}
-    session.run("pytest", "tests/runs/workers/test_real_cluster.py", *session.posargs, env=environment)
+    session.run(
+        "pytest", "tests/runs/workers/test_real_cluster.py", *session.posargs, env=environment
+    )
 
 
 @nox.session

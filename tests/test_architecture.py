@@ -51,9 +51,9 @@ def imported(source: Path) -> Iterator[str]:
             module = "." * node.level + (node.module or "")
             yield module
             yield from (f"{module}.{alias.name}" for alias in node.names)
-        if isinstance(node, ast.Constant) and isinstance(node.value, str):
-            if re.fullmatch(r"(repro|papers)(\.\w+)+", node.value):
-                yield node.value
+        text = node.value if isinstance(node, ast.Constant) else None
+        if isinstance(text, str) and re.fullmatch(r"(repro|papers)(\.\w+)+", text):
+            yield text
 
 
 def imports(source: Path) -> Iterator[str]:

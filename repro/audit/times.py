@@ -37,8 +37,9 @@ def time_rows(paper: Paper) -> Iterator[AuditRow]:
                 explanation=(
                     f"printed is {claim.printed.text} {claim.printed.unit}, at most "
                     f"{shown(highest)}; the least time under the printed limits is "
-                    f"{shown(bound)}, {times(factor(bound, highest))} as much ({claim.measure.experiment}/{name}; "
-                    f"{least.method}; {'; '.join(least.binding)})"
+                    f"{shown(bound)}, {times(factor(bound, highest))} as much "
+                    f"({claim.measure.experiment}/{name}; {least.method}; "
+                    f"{'; '.join(least.binding)})"
                 ),
             )
 

@@ -80,7 +80,7 @@ def _common_provenance(papers: Sequence[Json]) -> Json:
 
 
 def provenance_entry(judgement: Judgement, environments: Environments) -> Json:
-    """Return what differs between equal runs: where and when they were made, and how long each took.
+    """Return what differs between equal runs: where, when and how fast they were made.
 
     `seconds` are the median of a run, by experiment, problem, algorithm and kind of run.
     """

@@ -81,7 +81,7 @@ def passing_through(
     times = np.cumsum([0.0, *durations])
     rest = [(m, np.zeros(len(waypoints[0]))) for m in range(1, (degree + 1) // 2)]
     spline = make_interp_spline(times, np.array(waypoints), k=degree, bc_type=(rest, rest))
-    # Taylor's coefficients at the start of each segment, in its own time: (segments, powers, joints)
+    # Taylor's coefficients at the start of each segment, in its own time; by segment and power
     stretch = np.asarray(durations)[:, None]
     pieces = np.stack(
         [spline(times[:-1], nu=m) * stretch**m / math.factorial(m) for m in range(degree + 1)],

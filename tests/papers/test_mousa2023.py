@@ -25,6 +25,7 @@ from repro.judge.verdict import Verdict
 from repro.model.claims import Sentence
 from repro.model.paper import Assumption
 from repro.robotics import MinimumTime, forward_kinematics, freedoms, quintic
+from tests.small_papers import evidence_of
 
 # The description of the real arm: roll, pitch, yaw in quarter turns and origin in m of A1 to A6,
 # then of the flange (kuka_robot_descriptions, kr4_r600_macro.xacro).
@@ -38,7 +39,6 @@ CHAIN = (
     ((2, 0, 2), (0.0, 0.0, -0.0285)),
 )
 RIGHT_ANGLES = tuple((a, math.copysign(math.pi / 2, alpha) * (alpha != 0), d) for a, alpha, d in DH)
-from tests.small_papers import evidence_of
 
 
 def assumption(what: str) -> Assumption:

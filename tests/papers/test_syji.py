@@ -36,6 +36,7 @@ from repro.optimisers import WOA
 from repro.robotics import quintic, septic
 from repro.robotics.fastest import fastest_joints
 from repro.robotics.fixed_penalties import cheapest
+from tests.small_papers import evidence_of
 
 # Greatest |derivative| of s(τ) = 10τ³-15τ⁴+6τ⁵ and 35τ⁴-84τ⁵+70τ⁶-20τ⁷, by hand: s' and s''' turn
 # at τ = 1/2, s'' at (1-1/√3)/2 and (1-1/√5)/2; the fifth order's jerk is greatest at the ends.
@@ -53,7 +54,6 @@ DIFFERENT = {
     *((joint, name) for joint in "26" for name in ("Maximum velocity 7", "Maximum Jerk 7")),
     *((joint, "Maximum acceleration 5") for joint in "26"),
 }
-from tests.small_papers import evidence_of
 
 
 def text_of(what: str) -> str:

@@ -73,8 +73,8 @@ def tasks_of(key: str) -> tuple[Task, ...]:
     if LONG:  # other readings of the paper too
         experiments += [study.experiment for study in studies(paper, 10)]
     bare = replace(
-        paper, experiments=tuple(map(small, experiments)), results=(), claims=(), motion_readings=(),
-        assumptions=(), relations=(), figures=(), together=(),
+        paper, experiments=tuple(map(small, experiments)), results=(), claims=(),
+        motion_readings=(), assumptions=(), relations=(), figures=(), together=(),
     )  # fmt: skip
     return plan([bare], 1)
 

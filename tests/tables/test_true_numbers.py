@@ -23,8 +23,8 @@ def test_half_a_unit_towards_zero_and_a_whole_one_away_from_it_stand_behind_a_pr
 ) -> None:
     found = span(Printed(text))
 
-    assert abs(found.low - low) <= NOISE * max(1, abs(low))
-    assert abs(found.high - high) <= NOISE * max(1, abs(high))
+    assert abs(found.low - low) <= NOISE * (1 + abs(low))
+    assert abs(found.high - high) <= NOISE * (1 + abs(high))
 
 
 @pytest.mark.parametrize(

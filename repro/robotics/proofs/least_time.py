@@ -1,4 +1,4 @@
-"""The least time of a motion problem, proved: by closed form, linear programme, branch and bound."""
+"""The proved least time of a motion: by closed form, linear programme, branch and bound."""
 
 import math
 from collections.abc import Sequence

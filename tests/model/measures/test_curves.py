@@ -11,6 +11,7 @@ from repro.model.measures.measure import Computed
 from repro.model.paper import Paper, Source
 from repro.optimisers import GA, WOA
 from repro.robotics import PathFitting, quintic
+from tests.small_papers import evidence_of
 
 FIT = PathFitting(
     start=0.0, end=1.0, law=quintic, duration=2.0, intervals=10, box=((-50.0, 50.0),) * 6
@@ -40,7 +41,6 @@ PAPER = Paper(
 )
 FLAT = ((9.0, 9.0, 9.0, 9.0),) * 3
 Table = tuple[tuple[float, ...], ...]
-from tests.small_papers import evidence_of
 
 
 def runs(histories: Table, points: np.ndarray | None = None) -> Runs:

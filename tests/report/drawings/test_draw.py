@@ -17,10 +17,10 @@ from repro.model.figures import Convergence, Figure
 from repro.report.drawings import draw as drawn_figures
 from repro.report.drawings.draw import Drawing
 from repro.report.words import number
+from tests.small_papers import evidence_of
 
 SVG = "{http://www.w3.org/2000/svg}"
 CONVERGENCE, TOOL_PATH, SET_MOTION, MOTION, _ARM = PAPER.figures
-from tests.small_papers import evidence_of
 
 draw = partial(drawn_figures.draw, assumptions=PAPER.assumptions)
 

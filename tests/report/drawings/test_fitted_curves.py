@@ -9,12 +9,12 @@ from repro.model.evidence import Runs
 from repro.model.figures import JointCurves
 from repro.report.drawings import draw as drawn_figures
 from repro.report.drawings.draw import Drawing
+from tests.small_papers import evidence_of
 
 FIGURE = JointCurves(
     label="Fig. 4", caption="Joints", paths=QUINTIC, experiment=FIT.name, algorithms=("WOA", "GA")
 )
 COSTS = [[3.0, 9.0, 5.0]]  # the third run is in the middle
-from tests.small_papers import evidence_of
 
 draw = partial(drawn_figures.draw, assumptions=PAPER.assumptions)
 

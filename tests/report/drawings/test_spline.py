@@ -7,11 +7,11 @@ from repro.model.evidence import Runs
 from repro.model.figures import SplineMotion
 from repro.report.drawings.draw import Drawing, draw
 from repro.robotics.proofs.spline_minimum import prove
+from tests.small_papers import evidence_of
 
 LONG, SHORT = np.full(5, 6.0), np.full(5, 4.0)
 ANGLE, ALL, *_ = PAPER.figures
 CELL = ("trajectory", "UR5", "SMWOA")
-from tests.small_papers import evidence_of
 
 
 def drawing(figure: object) -> Drawing:
