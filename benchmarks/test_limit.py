@@ -32,10 +32,10 @@ LIMIT = Section(
     "compiled once per algorithm and once per function, not once per pair. The plain loop takes "
     "its cosine and sine from the C library, and the compiler fuses multiplications with "
     "additions, so that it rounds otherwise; so does `-Ofast`, which sums in any order besides. "
-    "With the cosine of repro/determinism/sines.py and nothing fused, C gives the same bits: before "
-    "every measurement best costs, histories and the random state afterwards of ten runs are "
-    "compared. "
-    "The floor is what the run's draws take one after the other, and its function's cosines, "
+    "With the cosine of repro/determinism/sines.py and nothing fused, C gives the same bits: "
+    "before every measurement best costs, histories and the random state afterwards of ten runs "
+    "are compared. The floor is what the run's draws take one after the other, and its function's "
+    "cosines, "
     "sines and exponentials in libmvec.",
     columns=(
         *("search", "function", "ours", "floor", "ours / C, same bits"),
