@@ -1,8 +1,7 @@
 import numpy as np
 import pytest
 
-from papers.mousa2023 import PAPER
-from papers.mousa2023.protocol import FIT, QUINTIC
+from papers.mousa2023 import FIT, PAPER, QUINTIC
 from repro.model.evidence import Evidence, Runs
 from repro.model.figures import JointCurves
 from repro.report.drawings.draw import Drawing, draw
