@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from papers.liang2026 import MOTION
-from papers.mousa2023.protocol import FIT
+from papers.mousa2023 import FIT
 from papers.syji.motions import PRINTED, RESTING
 from repro.functions import FUNCTIONS
 from repro.judge.certificates import Certificate

@@ -6,25 +6,29 @@ from collections import Counter
 import numpy as np
 import pytest
 
-from papers.mousa2023 import PAPER
-from papers.mousa2023.polynomial_claims import POLYNOMIAL_CLAIMS, printed_curve
-from papers.mousa2023.printed import EQUATION_4, EQUATION_9
-from papers.mousa2023.protocol import ALGORITHMS, CUBIC, DURATION, QUINTIC, SEPTIC
-from papers.mousa2023.robot import (
+from papers.mousa2023 import (
+    ALGORITHMS,
+    CUBIC,
     DH,
+    DURATION,
     END,
+    PAPER,
+    POLYNOMIAL_CLAIMS,
+    QUINTIC,
     REAL_ARM,
+    SEPTIC,
     START,
     axes_out_of_range,
     axis_angles,
+    printed_curve,
     reach,
+    search_claims,
 )
-from papers.mousa2023.search_claims import search_claims
 from repro.judge.findings import findings_of
 from repro.judge.verdict import Verdict
 from repro.model.claims import Sentence
 from repro.model.paper import Assumption
-from repro.robotics import MinimumTime, forward_kinematics, freedoms, quintic
+from repro.robotics import MinimumTime, PathFitting, forward_kinematics, freedoms, quintic
 from tests.small_papers import evidence_of
 
 # The description of the real arm: roll, pitch, yaw in quarter turns and origin in m of A1 to A6,
@@ -139,13 +143,13 @@ def test_quintic_keeps_the_real_arm_s_limits_from_the_time_told() -> None:
     assert least < DURATION
 
 
-@pytest.mark.parametrize(("equation", "paths"), [(EQUATION_4, CUBIC), (EQUATION_9, QUINTIC)])
+@pytest.mark.parametrize(("name", "paths"), [("cubic", CUBIC), ("quintic", QUINTIC)])
 def test_printed_coefficients_are_those_of_the_law(
-    equation: tuple[str, ...], paths: tuple[object, ...]
+    name: str, paths: tuple[PathFitting, ...]
 ) -> None:
     for path in paths:
-        curve = printed_curve(equation, path)  # type: ignore[arg-type]
-        law = path.coefficients  # type: ignore[attr-defined]
+        curve = printed_curve(name, path)
+        law = path.coefficients
         assert np.pad(curve, (0, 6 - len(curve))) == pytest.approx(law, abs=1e-12)
 
 

@@ -4,8 +4,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from papers.mousa2023.protocol import ARM_QUINTIC, QUINTIC
-from papers.mousa2023.robot import axis_angles
+from papers.mousa2023 import ARM_QUINTIC, QUINTIC, axis_angles
 from papers.smwoa2022.experiments import UR5
 from papers.smwoa2022.robot import DH as UR5_LINKS
 from repro.model.figures import Arm, ArmMotion

@@ -3,8 +3,7 @@ from functools import partial
 import numpy as np
 import pytest
 
-from papers.mousa2023 import PAPER
-from papers.mousa2023.protocol import FIT, QUINTIC
+from papers.mousa2023 import FIT, PAPER, QUINTIC
 from repro.model.evidence import Runs
 from repro.model.figures import JointCurves
 from repro.report.drawings import draw as drawn_figures
