@@ -55,11 +55,18 @@ def report(session: nox.Session) -> None:
         _readme(session)
 
 
+@nox.session
+def expect(session: nox.Session) -> None:
+    """Write the lists of expected verdicts anew from reports/: say in CHANGELOG.md what and why."""
+    _install(session, "run")
+    session.run("python", "-m", "tests.verdict_list")
+
+
 @nox.session(name="another-seed")
 def another_seed(session: nox.Session) -> None:
     """Run every protocol under another master seed, and say on the index what it changes."""
     _install(session, "run")
-    repeats = ("--repeats", *(session.posargs or ["20"]))
+    repeats = ("--repeats", *(session.posargs or ["10"]))
     places = ("--store", ".repro/another-seed", "--reports", ".repro/another-seed/reports")
     again = ("--protocol-only", "--master-seed", "another", *repeats, *places)
     session.run("repro", "reproduce", *again, env=ONE_THREAD)
