@@ -1,7 +1,15 @@
 import pytest
 
 from repro.errors import DeclarationError
-from repro.model.claims import CellClaim, Sentence, computed_cells, every_cell, lowest_everywhere
+from repro.model.claims import (
+    CellClaim,
+    Sentence,
+    computed_cells,
+    every_cell,
+    lowest_everywhere,
+    says,
+    says_in_words,
+)
 from repro.model.measures.measure import Computed, Statistic
 from repro.model.open_points import Gap
 from repro.model.tolerances import Absolute, Between, Percent
@@ -137,3 +145,21 @@ def test_cell_stands_where_its_table_stands() -> None:
     assert CLAIMS[0].where == "Table 1, p. 3 (3 runs)"
     assert CLAIMS[0].place == ("Table 1", "bowl mean", "guess")
     assert PAPER.claims == CLAIMS
+
+
+def test_sentence_of_words_shows_no_number_and_keeps_what_it_comes_closest_to() -> None:
+    measure = Computed(how="one", value=lambda: 1.0)
+
+    number = says("it takes 5 s", "p. 9", Printed("5", "s"), measure, within=Absolute(0))
+    words = says_in_words("it wins", "p. 9", "1 rank", measure, within=Between(1, 1))
+
+    assert (number.printed, number.in_words) == (Printed("5", "s"), False)
+    assert (words.printed, words.in_words) == (Printed("1", "rank"), True)
+
+
+def test_sentence_that_cannot_be_measured_has_its_gap() -> None:
+    gap = Gap(what="the arm", where="p. 9", because="it is not here")
+
+    found = says("it works", "p. 9", Printed("5", "s"), gap, within=Absolute(0))
+
+    assert (found.measure, found.gap) == (None, gap)

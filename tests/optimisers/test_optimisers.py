@@ -7,6 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from repro.errors import InputError
+from repro.functions import FUNCTIONS
 from repro.optimisers import (
     DBO,
     DE,
@@ -22,6 +23,8 @@ from repro.optimisers import (
     Result,
     SlimeWOA,
 )
+from repro.optimisers.libraries import BASELINES
+from repro.optimisers.search import DeclaresSpending, HoldsInterpreter, LeavesBox, NeedsScratch
 from tests.additions import ADDITIONS, SLIME, SLIME_DETAILS, SLIME_PARTS, SLIME_TOGETHER, TOGETHER
 from tests.small_problems import OFF_CENTRE, Small, small
 
@@ -276,3 +279,13 @@ def test_impossible_parameter_is_refused_by_name(
 ) -> None:
     with pytest.raises(InputError, match=f"{field}={value!r}"):
         kind(**{field: value})
+
+
+def test_optimisers_say_more_of_themselves_by_protocols() -> None:
+    assert isinstance(PSO(), LeavesBox)
+    assert not isinstance(WOA(), LeavesBox | HoldsInterpreter | DeclaresSpending)
+    assert isinstance(DE(), DeclaresSpending)
+    assert all(
+        isinstance(each, HoldsInterpreter) for name, each in BASELINES.items() if "(" in name
+    )
+    assert isinstance(FUNCTIONS["ackley"].problem(3), NeedsScratch)

@@ -1,0 +1,142 @@
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from repro.errors import DeclarationError
+from repro.model import WOA_BY_EQUATIONS, Gap, Paper, everywhere, prose, woa_readings
+from tests.small_papers import EXPERIMENT
+from tests.small_papers import PAPER as SMALL
+
+TEXT = """
+summary = "A bowl has a bottom."
+together = ["wider", "narrower"]
+
+[source]
+authors = "Jane Doe"
+title = "Bowls"
+
+[[assumption]]
+what = "width"
+where = "p. 3"
+chosen = "ours"
+because = "so"
+[[assumption.or]]
+name = "wider"
+says = "three times"
+[[assumption.or]]
+name = "narrower"
+says = "a third"
+[[assumption.or]]
+says = "none"
+untried = "nothing to try"
+
+[[gap]]
+name = "speed"
+what = "how fast"
+where = "p. 4"
+because = "no time is printed"
+
+[[formula]]
+label = "Eq. (1)"
+where = "p. 2"
+latex = 'x^2'
+says = "A square."
+code = "repro.functions"
+"""
+CHANGES = {
+    "wider": {"algorithms": {("search", "guess"): {"width": 3.0}}},
+    "narrower": {"algorithms": {("search", "guess"): {"width": 0.3}}},
+}
+
+
+def module(folder: Path, text: str = TEXT, name: str = "doe2021") -> str:
+    """Return where a module beside such prose would stand."""
+    (folder / f"{name}.toml").write_text(text, encoding="utf-8")
+    return str(folder / f"{name}.py")
+
+
+def paper(place: str, changes: dict[str, Any] = CHANGES) -> Paper:
+    return prose(place).paper(
+        changes=changes,
+        experiments=SMALL.experiments,
+        inputs=(),
+        results=SMALL.results,
+        claims=SMALL.claims,
+    )
+
+
+def test_paper_is_the_prose_beside_its_module_and_what_the_module_declares(tmp_path: Path) -> None:
+    found = paper(module(tmp_path))
+
+    assert (found.key, found.source.title, found.together) == (
+        "doe2021", "Bowls", ("wider", "narrower"),
+    )  # fmt: skip
+    assert found.gaps == (Gap(what="how fast", where="p. 4", because="no time is printed"),)
+    (assumption,) = found.assumptions
+    assert [each.name for each in assumption.alternatives] == ["wider", "narrower", ""]
+    assert assumption.alternatives[0].algorithms == CHANGES["wider"]["algorithms"]
+    assert found.formulas[0].latex == "x^2"
+    assert found.claims == SMALL.claims
+
+
+def test_a_package_has_its_prose_under_its_own_name(tmp_path: Path) -> None:
+    folder = tmp_path / "roe2022"
+    folder.mkdir()
+    module(folder, name="roe2022")
+
+    assert prose(str(folder / "__init__.py")).key == "roe2022"
+
+
+def test_gap_is_found_by_its_name_and_another_is_refused_with_those_that_there_are(
+    tmp_path: Path,
+) -> None:
+    text = prose(module(tmp_path))
+
+    assert text.gap("speed").what == "how fast"
+    with pytest.raises(DeclarationError, match=r"doe2021.toml: no gap 'sped'; there is speed"):
+        text.gap("sped")
+
+
+@pytest.mark.parametrize(
+    ("wrong", "right", "message"),
+    [
+        ("[source]", "[sauce]", r"doe2021.toml: sauce means nothing here; known: summary, toget"),
+        ('because = "so"', 'why = "so"', r"doe2021.toml, assumption 'width': got an unexpected"),
+        ('where = "p. 4"\n', "", r"doe2021.toml, gap: missing 1 required .* 'where'"),
+        ('authors = "Jane Doe"\n', "", r"doe2021.toml, source: missing 1 required .* 'authors'"),
+        ('summary = "', "summary = ", r"doe2021.toml cannot be read: Invalid value"),
+    ],
+)
+def test_a_slip_in_the_prose_is_named_with_its_place(
+    tmp_path: Path, wrong: str, right: str, message: str
+) -> None:
+    place = module(tmp_path, TEXT.replace(wrong, right, 1))
+
+    with pytest.raises(DeclarationError, match=message):
+        paper(place)
+
+
+def test_a_module_without_prose_says_where_it_was_looked_for(tmp_path: Path) -> None:
+    with pytest.raises(DeclarationError, match=r"lost.toml cannot be read: .*No such file"):
+        prose(str(tmp_path / "lost.py"))
+
+
+def test_changes_that_no_alternative_has_are_refused(tmp_path: Path) -> None:
+    with pytest.raises(DeclarationError, match="without an alternative of that name: 'wilder'"):
+        paper(module(tmp_path), {**CHANGES, "wilder": {}})
+
+
+def test_an_alternative_that_changes_nothing_and_says_not_why_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(DeclarationError, match="'a third' needs either something that it changes"):
+        paper(module(tmp_path), {"wider": CHANGES["wider"]})
+
+
+def test_readings_of_woa_change_it_wherever_it_runs_and_nothing_else() -> None:
+    found = woa_readings([EXPERIMENT], "WOA by its equations", algorithm="guess")
+
+    assert found == {
+        "WOA by its equations": {"algorithms": {("search", "guess"): WOA_BY_EQUATIONS}}
+    }
+    assert everywhere([EXPERIMENT], "nobody", {}) == {}
+    assert len(woa_readings([EXPERIMENT])) == 5
