@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from repro.model import (  # isort: skip
+from repro.model import (
     WOA_READINGS, ZERO_STD, Absolute, Arm, ArmMotion, Between, Claim, Computed, Convergence,
     Experiment, Fitness, Motion, Percent, PercentLower, Printed, PrintedPoses, PublishedTable,
     Reduction, TableCell, TextNumber, ToolPath, computed, computed_cells, every_cell, everywhere,

@@ -6,7 +6,7 @@ from itertools import chain
 
 import numpy as np
 
-from repro.model import (  # isort: skip
+from repro.model import (
     Arm, ArmMotion, Between, Combination, Convergence, Effort, Experiment, JointCurves, Measure,
     Percent, PlaceAmong, Printed, PublishedTable, Reduction, Sensitivity, Sentence, Together,
     computed, everywhere, planned, prose, says, says_in_words, woa_readings,

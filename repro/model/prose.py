@@ -3,6 +3,7 @@
 import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
+from inspect import cleandoc
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -93,13 +94,19 @@ def prose(module: str) -> Prose:
         assumptions=lists["assumption"],
         errata=tuple(_made(Erratum, entry, f"{place}, erratum") for entry in lists["erratum"]),
         gaps=dict(_gap(place, entry) for entry in lists["gap"]),
-        formulas=tuple(_made(Formula, entry, f"{place}, formula") for entry in lists["formula"]),
+        formulas=tuple(_formula(place, entry) for entry in lists["formula"]),
     )
 
 
 def _gap(place: str, entry: Entry) -> tuple[str, Gap]:
     gap = _made(Gap, {k: v for k, v in entry.items() if k != "name"}, f"{place}, gap")
     return entry.get("name", gap.what), gap
+
+
+def _formula(place: str, entry: Entry) -> Formula:
+    """Return a formula; its LaTeX is indented in the file alone."""
+    latex = cleandoc(entry.get("latex", ""))
+    return _made(Formula, {**entry, "latex": latex}, f"{place}, formula")
 
 
 def _assumption(place: str, entry: Entry, unbound: dict[str, Entry]) -> Assumption:

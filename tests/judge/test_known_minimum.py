@@ -5,7 +5,7 @@ import pytest
 
 from papers.liang2026 import MOTION
 from papers.mousa2023 import FIT
-from papers.syji.motions import PRINTED, RESTING
+from papers.syji import PRINTED, RESTING
 from repro.functions import FUNCTIONS
 from repro.judge.certificates import Certificate
 from repro.judge.known_minimum import known_minimum

@@ -6,27 +6,24 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from papers.syji import PAPER
-from papers.syji.motions import (
+from papers.syji import (
+    DURATIONS,
+    END,
     FOUND,
+    PAPER,
     PRINTED,
     READINGS,
     RESTING,
-    SEVENTH,
-    least_share_of_speed,
-    share_of_limit,
-)
-from papers.syji.printed import (
-    DURATIONS,
-    END,
     SAVED,
-    SECOND_DURATION,
+    SEVENTH,
     START,
     TABLE_2,
     TABLE_3,
     TABLE_4,
     TOTAL,
     WHOLE,
+    share,
+    share_on_average,
 )
 from repro.determinism.compiled import COST, ready
 from repro.judge.findings import findings_of
@@ -113,7 +110,7 @@ def test_positions_divide_the_way_from_start_to_end_in_four() -> None:
 def test_printed_durations_miss_the_printed_total_but_for_one_digit() -> None:
     assert sum(d.value for d in DURATIONS) == pytest.approx(2.2504)
     assert sum(FOUND) == pytest.approx(TOTAL.value)
-    assert SECOND_DURATION.text == DURATIONS[1].text[:3] + "9" + DURATIONS[1].text[3:]
+    assert str(FOUND[1]) == DURATIONS[1].text[:3] + "9" + DURATIONS[1].text[3:]
     assert WHOLE.value - TOTAL.value == pytest.approx(SAVED.value)
 
 
@@ -157,7 +154,7 @@ def test_search_ends_on_the_shortest_durations_whatever_its_seed() -> None:
 
 
 def test_printed_durations_break_every_limit_under_every_reading() -> None:
-    shares = [share_of_limit(motion, m) for motion in READINGS.values() for m in (1, 2, 3)]
+    shares = [share(motion(), m) for motion in READINGS.values() for m in (1, 2, 3)]
 
     assert len(shares) == 9
     assert min(shares) > 200
@@ -200,5 +197,5 @@ def test_seventh_order_is_smoother_by_two_of_three_readings() -> None:
 def test_positions_are_met_faster_than_the_velocity_limit_whatever_the_curve() -> None:
     average = 11.25 / DURATIONS[0].value
 
-    assert least_share_of_speed() == pytest.approx(100 * average / 19.68)
+    assert share_on_average() == pytest.approx(100 * average / 19.68)
     assert average / 19.68 > 2
