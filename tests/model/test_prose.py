@@ -40,8 +40,7 @@ because = "no time is printed"
 [[formula]]
 label = "Eq. (1)"
 where = "p. 2"
-latex = '''
-  x^2
+latex = '''x^2
     + 1'''
 says = "A square."
 code = "repro.functions"
@@ -78,7 +77,7 @@ def test_paper_is_the_prose_beside_its_module_and_what_the_module_declares(tmp_p
     (assumption,) = found.assumptions
     assert [each.name for each in assumption.alternatives] == ["wider", "narrower", ""]
     assert assumption.alternatives[0].algorithms == CHANGES["wider"]["algorithms"]
-    assert found.formulas[0].latex == "x^2\n  + 1"  # indented in the file alone
+    assert found.formulas[0].latex == "x^2\n+ 1"  # indented in the file alone
     assert found.claims == SMALL.claims
 
 
