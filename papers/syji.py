@@ -60,6 +60,7 @@ TABLE_4 = PublishedTable.read("""
     5     || 0        | -11.25   | -22.5    | -33.75   | -45
     6     || 0        | -22.5    | -45      | -67.5    | -90
 """)
+HEADINGS = ("Maximum velocity", "Maximum acceleration", "Maximum Jerk")  # of Table 2
 SIMULATION = "section 6R robot simulation"
 RESULTS = "section Simulation parameter settings, item 4"
 START = tuple(Printed(text, "rad") for text in ("0", "π/2", "0", "0", "0", "0"))  # q1
@@ -71,12 +72,9 @@ FOUND = (DURATIONS[0].si, 0.8945, DURATIONS[2].si, DURATIONS[3].si)  # 0.8945: s
 # One polynomial from q1 to q2, Eqs. (1)-(3); then the problem as printed, Eqs. (4)-(9)
 SEVENTH = MinimumTime(
     waypoints=tuple(tuple(angle.si for angle in place) for place in (START, END)),
-    law=septic,
-    velocity=TABLE_3.column("Maximum Velocity"),
-    acceleration=TABLE_3.column("Maximum Acceleration"),
-    jerk=TABLE_3.column("Maximum Jerk"),
-    durations=(0.1, 10.0),
-)
+    velocity=TABLE_3.column("Maximum Velocity"), jerk=TABLE_3.column("Maximum Jerk"),
+    acceleration=TABLE_3.column("Maximum Acceleration"), durations=(0.1, 10.0), law=septic,
+)  # fmt: skip
 ORDERS = {"7": SEVENTH, "5": replace(SEVENTH, law=quintic)}
 PRINTED = replace(
     SEVENTH,
@@ -90,21 +88,16 @@ MOTION = Experiment(
     name="motion", where=RESULTS, proposed="WOA", problems={"SYJI-0035": PRINTED},
     algorithms={"WOA": WOA(b=1)}, population=50, iterations=200, runs=1,
 )  # fmt: skip
-DH = dh_rows(
-    a=TABLE_1.column("Link length ai-1"),
-    alpha=TABLE_1.column("Link twist αi-1"),
-    d=TABLE_1.column("Link distance di"),
-)
+DH = dh_rows(a=TABLE_1.column("Link length ai-1"), alpha=TABLE_1.column("Link twist αi-1"),
+             d=TABLE_1.column("Link distance di"))  # fmt: skip
 
 READINGS = {
     "at rest at each position of Table 4": lambda: resting_at(PRINTED.waypoints, FOUND, law=septic),
-    "passing through the positions of Table 4 without a stop": lambda: passing_through(
-        PRINTED.waypoints, FOUND, degree=septic.degree
-    ),
-    "with one polynomial from start to end": lambda: resting_at(
-        SEVENTH.waypoints, (sum(FOUND),), law=septic
-    ),
-}
+    "passing through the positions of Table 4 without a stop":
+        lambda: passing_through(PRINTED.waypoints, FOUND, degree=septic.degree),
+    "with one polynomial from start to end":
+        lambda: resting_at(SEVENTH.waypoints, (sum(FOUND),), law=septic),
+}  # fmt: skip
 KINDS = tuple((kind, derivative) for derivative, kind in DERIVATIVES.items())
 BEFORE = computed("the 5 s of the seventh-order motion", lambda: WHOLE.si)
 TIME = Percent(1)  # declared before any run: one run of a search, given to four digits
@@ -116,8 +109,7 @@ def table_2(
     derivatives: tuple[int, int, int] = (1, 2, 3), within: Tolerance = TWO_DECIMALS
 ) -> tuple[CellClaim, ...]:
     """Return the claims on Table 2, by the derivatives that its headings are taken to mean."""
-    headings = ("Maximum velocity", "Maximum acceleration", "Maximum Jerk")
-    meant = dict(zip(headings, derivatives, strict=True))
+    meant = dict(zip(HEADINGS, derivatives, strict=True))
 
     def greatest(joint: str, column: str) -> Computed:
         kind, _, order = column.rpartition(" ")
@@ -152,26 +144,22 @@ def times(statistic: str = "mean") -> tuple[Sentence, ...]:
         *(
             says(
                 f"the search finds {printed.text} s for segment {k}", RESULTS, printed,
-                found(f"duration {k}"), within=TIME,
-            )
+                found(f"duration {k}"), within=TIME)
             for k, printed in enumerate(DURATIONS, 1)
         ),
         says(
             "that is 2.7001 s less than the seventh-order motion of 5 s", RESULTS, SAVED,
-            Difference(before=BEFORE, after=total), within=TIME,
-        ),
+            Difference(before=BEFORE, after=total), within=TIME),
         says_in_words(
             "the time of each joint is greatly reduced (read as: by a tenth at least; the printed "
             "times differ by 54 %; all joints share the four durations)", RESULTS, "54 %",
-            Reduction(before=BEFORE, after=total), within=Between(10, 100),
-        ),
+            Reduction(before=BEFORE, after=total), within=Between(10, 100)),
         says(
             "the running time is the shortest (read as: it is that of the least fitness as "
             "printed, each duration being 0.1 s or more; under the limits see below)",
             "Conclusion", TOTAL,
             computed("time of the proved minimum of the fitness as printed",
-                     lambda: cheapest(PRINTED).time), within=TIME,
-        ),
+                     lambda: cheapest(PRINTED).time), within=TIME),
     )  # fmt: skip
 
 
@@ -194,8 +182,7 @@ def smoother(reading: str) -> Sentence:
         f"the seventh order is smoother than the fifth (read as: {reading})",
         f"abstract, {SIMULATION} and Conclusion", "100 %",
         computed(f"{reading}: seventh order in percent of the fifth, same move and time",
-                 lambda: 100 * of(septic) / of(quintic)), within=Between(0, 100),
-    )  # fmt: skip
+                 lambda: 100 * of(septic) / of(quintic)), within=Between(0, 100))  # fmt: skip
 
 
 def unshaken(reading: str) -> Sentence:
@@ -204,8 +191,7 @@ def unshaken(reading: str) -> Sentence:
         f"the path is smooth, without shaking (read as: no joint turns back), {reading}",
         f"{RESULTS}, Fig. 6", "0",
         computed(f"how often a joint turns back with the printed durations, {reading}",
-                 lambda: float(READINGS[reading]().reversals())), within=Between(0, 0),
-    )  # fmt: skip
+                 lambda: float(READINGS[reading]().reversals())), within=Between(0, 0))  # fmt: skip
 
 
 def saved_under_limits(reading: str) -> Sentence:
@@ -213,8 +199,7 @@ def saved_under_limits(reading: str) -> Sentence:
     least = computed(f"the least time that obeys Table 3, {reading}", SHORTEST[reading])
     return says(
         f"2.7001 s are saved under the same limits, {reading}", RESULTS, SAVED,
-        Difference(before=BEFORE, after=least), within=TIME,
-    )  # fmt: skip
+        Difference(before=BEFORE, after=least), within=TIME)  # fmt: skip
 
 
 def limit_kept(reading: str, kind: str, derivative: int) -> Sentence:
@@ -222,8 +207,8 @@ def limit_kept(reading: str, kind: str, derivative: int) -> Sentence:
     return says_in_words(
         f"the {kind} limits are satisfied, {reading}", "Conclusion", "100 %",
         computed(f"largest {kind} with the printed durations, {reading}, in percent of its limit "
-                 "in Table 3", lambda: share(READINGS[reading](), derivative)), within=KEPT,
-    )  # fmt: skip
+                 "in Table 3", lambda: share(READINGS[reading](), derivative)),
+        within=KEPT)  # fmt: skip
 
 
 def limit_kept_before(kind: str, derivative: int) -> Sentence:
@@ -232,8 +217,7 @@ def limit_kept_before(kind: str, derivative: int) -> Sentence:
     return says_in_words(
         f"the seventh-order motion of 5 s is under the same {kind} limits", RESULTS, "100 %",
         computed(f"largest {kind} of the 5 s motion in percent of its limit in Table 3",
-                 share, motion, derivative), within=KEPT,
-    )  # fmt: skip
+                 share, motion, derivative), within=KEPT)  # fmt: skip
 
 
 SERVO = says_in_words(
@@ -293,11 +277,7 @@ RELATIONS = (
             meaning="the limits are what Table 2 prints as peaks of the 5 s motion, so that no "
             "faster motion of that shape obeys them",
         )
-        for limit, peak in zip(
-            TABLE_3.column_names,
-            ("Maximum velocity", "Maximum acceleration", "Maximum Jerk"),
-            strict=True,
-        )
+        for limit, peak in zip(TABLE_3.column_names, HEADINGS, strict=True)
     ),
     *equally_spaced(TABLE_4),
     *(

@@ -6,10 +6,21 @@ import pytest
 from numpy.typing import NDArray
 from scipy.stats import mannwhitneyu, rankdata
 
-from papers.smwoa2022 import PAPER, SMWOA
-from papers.smwoa2022.experiments import ANGLE, BENCHMARK, TRAJECTORY, UR5
-from papers.smwoa2022.printed import AFTER, BEFORE, TABLE_2, TABLE_3, TABLE_6, TIME_SAVED
-from papers.smwoa2022.sentences import printed_durations
+from papers.smwoa2022 import (
+    AFTER,
+    BEFORE,
+    BENCHMARK,
+    PAPER,
+    SMWOA,
+    TABLE_2,
+    TABLE_3,
+    TABLE_6,
+    TIME_SAVED,
+    TRAJECTORY,
+    UR5,
+    limits,
+    printed_durations,
+)
 from repro.judge.certificates import certify
 from repro.model.claims import CellClaim, Sentence
 from repro.robotics.spline_motion import motion
@@ -140,7 +151,7 @@ def test_p_values_of_the_printed_averages_are_as_the_assumption_says() -> None:
 
 def test_angles_of_the_path_stay_inside_their_limits_as_the_assumption_says() -> None:
     _, angles = motion(UR5, np.array(printed_durations("SMWOA")), derivative=0, samples=2001)
-    shares = [f"{100 * share:.0f} %" for share in abs(angles).max(axis=0) / ANGLE]
+    shares = [f"{100 * share:.0f} %" for share in abs(angles).max(axis=0) / limits(0, "deg")]
     said = next(a for a in PAPER.assumptions if a.what == "angle limits").because
 
     assert f"{shares[2]} (joint 3) to {shares[3]} (joint 4)" in said

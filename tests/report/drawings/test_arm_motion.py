@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 
 from papers.mousa2023 import ARM_QUINTIC, QUINTIC, axis_angles
-from papers.smwoa2022.experiments import UR5
-from papers.smwoa2022.robot import DH as UR5_LINKS
+from papers.smwoa2022 import DH as UR5_LINKS
+from papers.smwoa2022 import UR5
 from repro.model.figures import Arm, ArmMotion
 from repro.report.drawings.arm_motion import SAMPLES, moving, waypoints
 from repro.robotics import forward_kinematics

@@ -1,8 +1,7 @@
 import numpy as np
 import pytest
 
-from papers.smwoa2022 import PAPER
-from papers.smwoa2022.experiments import UR5
+from papers.smwoa2022 import PAPER, UR5
 from repro.model.evidence import Runs
 from repro.model.figures import SplineMotion
 from repro.report.drawings.draw import Drawing, draw
