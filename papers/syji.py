@@ -91,7 +91,7 @@ MOTION = Experiment(
 DH = dh_rows(a=TABLE_1.column("Link length ai-1"), alpha=TABLE_1.column("Link twist αi-1"),
              d=TABLE_1.column("Link distance di"))  # fmt: skip
 
-READINGS = {
+READINGS: dict[str, Callable[[], PiecewiseMotion]] = {
     "at rest at each position of Table 4": lambda: resting_at(PRINTED.waypoints, FOUND, law=septic),
     "passing through the positions of Table 4 without a stop":
         lambda: passing_through(PRINTED.waypoints, FOUND, degree=septic.degree),
