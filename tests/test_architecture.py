@@ -100,6 +100,14 @@ def test_a_room_imports_only_rooms_below_it() -> None:
     assert upward == []
 
 
+def test_pages_are_made_of_judgements_and_not_of_the_store() -> None:
+    store = ("repro.runs.store", "repro.runs.session", "repro.runs.gather")
+
+    readers = [name for name, below in BELOW.items() if any(b.startswith(store) for b in below)]
+
+    assert [name for name in readers if room(name) not in {"runs", "commands"}] == []
+
+
 def test_no_module_is_part_of_a_circle() -> None:
     waiting = dict(BELOW)
     while free := [name for name, below in waiting.items() if not below & waiting.keys()]:

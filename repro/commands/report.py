@@ -18,6 +18,6 @@ def run(options: Namespace) -> int:
         if not store.path.exists():
             message = f"there is no store in {options.store}; `repro reproduce` makes one"
             raise InputError(message)
-        write_pages(store, chosen, tasks, options.reports, catalogue.all_papers())
+        write_pages(store, chosen, tasks, options.reports, list(catalogue.all_papers()))
     sys.stdout.write(f"pages: {options.reports / 'index.html'}\n")
     return 0

@@ -10,12 +10,12 @@ from repro.commands.expected_verdicts import summary
 from repro.commands.interrupts import terminable
 from repro.commands.progress import Progress
 from repro.commands.shown_rows import warn
+from repro.commands.unchanged import Written
 from repro.commands.written_pages import write_pages
 from repro.determinism.provenance import provenance
 from repro.errors import SOME_RUN_FAILED
 from repro.report.files import usable_folder
 from repro.report.results import Json, read_results
-from repro.report.unchanged import Written
 from repro.runs.plan import Task, plan
 from repro.runs.run import Record
 from repro.runs.session import mended, run_missing

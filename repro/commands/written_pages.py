@@ -1,6 +1,6 @@
 """From a store to pages: what `reproduce` ends with and `report` does alone."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 from repro.judge.judgement import Judgement, judge
@@ -14,7 +14,7 @@ from repro.runs.studies import studies
 
 
 def write_pages(
-    store: Store, chosen: Sequence[Paper], tasks: Sequence[Task], folder: Path, known: Iterable[str]
+    store: Store, chosen: Sequence[Paper], tasks: Sequence[Task], folder: Path, known: Sequence[str]
 ) -> Json:
     """Judge the papers by what the store has of the tasks, write the pages, return the results.
 

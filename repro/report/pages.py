@@ -51,7 +51,7 @@ _COLUMNS = (
 def write_report(
     judgements: Iterable[Judgement],
     folder: Path,
-    known: Iterable[str],
+    known: Sequence[str],
     *,
     environments: Mapping[str, Environments],
     master_seed: str = "",
@@ -71,7 +71,7 @@ def write_report(
         made[key] = provenance_entry(judgement, environments.get(key, []))
     results = merged(entries, read_results(folder / "results.json"), known)
     files["results.json"] = results_text(results)
-    files[PROVENANCE] = results_text(merged_provenance(made, read_json(folder / PROVENANCE)))
+    files[PROVENANCE] = results_text(merged_provenance(made, read_json(folder / PROVENANCE), known))
     files |= index_files(results, read_json(folder / ANOTHER_SEED))
     for name, text in files.items():
         write_file(folder / name, text)

@@ -101,9 +101,10 @@ def provenance_entry(judgement: Judgement, environments: Environments) -> Json:
     }
 
 
-def merged_provenance(fresh: Mapping[str, Json], old: Json | None) -> Json:
+def merged_provenance(fresh: Mapping[str, Json], old: Json | None, order: Iterable[str]) -> Json:
     """Return the whole of provenance.json: fresh entries, and old ones of papers not redone."""
-    return {"papers": {**(old or {}).get("papers", {}), **fresh}}
+    entries = {**(old or {}).get("papers", {}), **fresh}
+    return {"papers": {key: entries[key] for key in order if key in entries}}
 
 
 def read_results(path: Path) -> Json | None:

@@ -2,7 +2,7 @@ from pathlib import Path
 
 import pytest
 
-from repro.report.results import merged, read_results, results_text
+from repro.report.results import merged, merged_provenance, read_results, results_text
 
 
 def entry(key: str, runs: int = 1) -> dict[str, object]:
@@ -28,3 +28,11 @@ def test_a_file_that_is_no_results_is_taken_as_none(tmp_path: Path) -> None:
     assert read_results(path) is None
     path.write_text('{"schema": 99}')
     assert read_results(path) is None
+
+
+def test_provenance_of_papers_that_are_not_redone_is_kept_and_that_of_gone_ones_is_not() -> None:
+    old = {"papers": {"a": {"seconds": 1}, "b": {"seconds": 2}, "gone": {"seconds": 3}}}
+
+    found = merged_provenance({"b": {"seconds": 4}}, old, ["a", "b", "c"])
+
+    assert found == {"papers": {"a": {"seconds": 1}, "b": {"seconds": 4}}}

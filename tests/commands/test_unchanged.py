@@ -5,8 +5,8 @@ from pathlib import Path
 import pytest
 
 from repro.__main__ import main
+from repro.commands.unchanged import Written
 from repro.commands.written_pages import write_pages
-from repro.report.unchanged import Written
 from repro.runs.store.store import Store
 from tests.small_papers import PAPER
 from tests.small_stores import ENVIRONMENT, RECORDS, TASKS, change, filled
@@ -100,7 +100,7 @@ def test_a_package_of_another_version_has_pages_written_again(
 def test_pages_of_another_machine_are_written_again(
     written: Written, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("repro.report.unchanged.provenance", lambda: {"processor": "other"})
+    monkeypatch.setattr("repro.commands.unchanged.provenance", lambda: {"processor": "other"})
     assert not stand(written)
 
 
