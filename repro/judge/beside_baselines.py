@@ -211,9 +211,8 @@ def budget_rows(experiment: Experiment, runs: Mapping[Cell, Runs]) -> tuple[Budg
 def _mean_ranks(
     experiment: Experiment, runs: Mapping[Cell, Runs], place: Mapping[str, str]
 ) -> Mapping[str, float]:
-    names = tuple(experiment.algorithms)
-    ranks = [
-        rankdata([mean(runs[place[name], problem, name].costs[0]) for name in names])
+    means = [
+        [mean(runs[place[name], problem, name].costs[0]) for name in place]
         for problem in experiment.problems
     ]
-    return dict(zip(names, map(float, np.mean(ranks, axis=0)), strict=True))
+    return dict(zip(place, rankdata(means, axis=1).mean(axis=0).tolist(), strict=True))
