@@ -39,9 +39,7 @@ def joint_curves_plot(figure: JointCurves, evidence: Evidence) -> Plot:
         legend=[
             Line2D([], [], label=f"joint {joint + 1}", **line_style(joint)) for joint in joints
         ],
-        gaps=(0.2, 0.16),
         title=0.28,
-        share=True,
     )
     times = np.linspace(0.0, figure.paths[0].duration, CURVE_POINTS)
     for order, row in enumerate(grid):

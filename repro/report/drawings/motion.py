@@ -51,9 +51,7 @@ def motion_plot(figure: Motion, evidence: Evidence) -> Plot:
         len(courses),
         height=1.45,
         legend=legend,
-        gaps=(0.2, 0.16),
         title=0.44,
-        share=True,
     )
     for derivative, row in zip(derivatives, grid, strict=True):
         for axes, course in zip(row, courses, strict=True):

@@ -44,9 +44,7 @@ def spline_plot(figure: SplineMotion, evidence: Evidence) -> Plot:
         legend=[
             Line2D([], [], label=curve.label, **line_style(curve.style)) for curve in columns[0]
         ],
-        gaps=(0.2, 0.16),
         title=0.44 if len(columns) > 1 else 0.1,
-        share=True,
     )
     for derivative, row in zip(figure.derivatives, grid, strict=True):
         for axes, curves in zip(row, columns, strict=True):
