@@ -8,6 +8,7 @@ of its joints have.
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
+from itertools import product
 from types import MappingProxyType
 from typing import ClassVar, Literal
 
@@ -201,11 +202,7 @@ class Sensitivity:
 
     def cells(self) -> tuple[Cell, ...]:
         """Return one cell per experiment and problem."""
-        return tuple(
-            (experiment, problem, self.algorithm)
-            for experiment in (self.experiment, self.shifted)
-            for problem in self.problems
-        )
+        return tuple(product((self.experiment, self.shifted), self.problems, (self.algorithm,)))
 
     def measure(self, evidence: Evidence) -> Measured:
         """Return the sensitivity in the first repeat and in resampled tables."""

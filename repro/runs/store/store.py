@@ -14,7 +14,6 @@ from repro.runs.plan import Task
 from repro.runs.run import Record
 from repro.runs.store.damage import (
     damaged_rows,
-    has_packed,
     row_query,
     set_file_aside,
     take_over,
@@ -103,7 +102,7 @@ class Store:
         self._database = database
         self._hides_none = False
         with self._refusing():
-            self._row = row_query(packed=has_packed(database))
+            self._row = row_query(database)
 
     @contextmanager
     def _refusing(self) -> Iterator[None]:
