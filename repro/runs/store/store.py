@@ -37,10 +37,6 @@ _NAMED = 20  # damaged rows that are named one by one
 _AT_ONCE = 1000  # rows that one transaction takes over from a damaged file
 
 
-def _silent(_: str) -> None:
-    """Say nothing."""
-
-
 class Store:
     """The store in one folder; a context manager that holds its lock.
 
@@ -50,7 +46,7 @@ class Store:
     """
 
     def __init__(
-        self, folder: Path, *, writing: bool = True, say: Callable[[str], None] = _silent
+        self, folder: Path, *, writing: bool = True, say: Callable[[str], None] = lambda _: None
     ) -> None:
         """Name the folder; nothing is touched before the store is entered."""
         self.folder = folder
