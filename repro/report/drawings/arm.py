@@ -217,14 +217,11 @@ def _rows(motions: Sequence[Moving]) -> Rows:
     frames = len(motions[0].postures[0].origins)
     names = ["base", *(f"frame {k}" for k in range(1, frames - 1)), "tool"]
     headings = ("motion", "time [s]", *(f"{axis} of {n} [m]" for n in names for axis in "xyz"))
-    rows: list[tuple[str, ...]] = [headings]
-    for motion in motions:
-        rows += [
-            (
-                motion.name,
-                f"{time:.6g}",
-                *(f"{value:.4f}" for value in posture.origins.ravel()),
-            )
+    return (
+        headings,
+        *(
+            (motion.name, f"{time:.6g}", *(f"{value:.4f}" for value in posture.origins.ravel()))
+            for motion in motions
             for time, posture in zip(motion.times, motion.postures, strict=True)
-        ]
-    return tuple(rows)
+        ),
+    )
