@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from types import MappingProxyType
 
-from repro.functions import FUNCTIONS, BenchmarkProblem, Function
+from repro.functions import FUNCTIONS, BenchmarkProblem
 from repro.model.claims import CellClaim
 from repro.model.measures.measure import Statistic
 from repro.model.paper import Paper
@@ -102,16 +102,13 @@ def bounds_of(problem: BenchmarkProblem) -> FunctionBounds:
 
 
 def _ceiling(problem: BenchmarkProblem) -> Fraction | None:
-    if not _has_ceiling(problem.function):
-        return None
-    most = CEILINGS[problem.function.name](problem.dimension)
-    return most + abs(most) / 2**40
-
-
-def _has_ceiling(function: Function) -> bool:
-    """Return whether the ceiling of the function is known on the box that the paper gives it."""
+    """Return the ceiling, where it is known on the box that the paper gives the function."""
+    function = problem.function
     if function.name not in CEILINGS:
-        return False
+        return None
     known = CEILING_BOXES.get(function.name, FUNCTIONS[function.name].box)
     sides = zip(function.box, known, strict=True)
-    return all(least <= low and high <= most for (low, high), (least, most) in sides)
+    if not all(least <= low and high <= most for (low, high), (least, most) in sides):
+        return None
+    ceiling = CEILINGS[function.name](problem.dimension)
+    return ceiling + abs(ceiling) / 2**40

@@ -15,6 +15,7 @@ from repro.tables.rows import AuditRow, Grade, audit_row
 from repro.tables.true_numbers import span, unit
 
 Array = NDArray[np.float64]
+Place = tuple[int, int]  # row and column of the D-H table
 RIGHT_ANGLES = (-math.pi / 2, 0.0, math.pi / 2, math.pi)
 
 
@@ -115,7 +116,11 @@ def _beyond_rounding(relation: PrintedPoses, errors: Array) -> list[TableCell]:
 
 def _closing(relation: PrintedPoses, convention: Convention) -> str:
     """Say which change of one constant of the D-H table brings the points nearest."""
-    changes = list(_changes(relation, convention))
+    changes = []
+    for place, value, words in _changes(relation, convention):
+        dh = _dh(relation)
+        dh[place] = value
+        changes.append(_Change(words=words, errors=_errors(relation, dh, convention)))
     best = min(changes, key=lambda change: _size(change.errors))
     # two parallel links are told apart by no waypoint, so all that do as well are named
     ties = [each for each in changes if np.allclose(each.errors, best.errors, atol=1e-9)]
@@ -132,28 +137,25 @@ def _closing(relation: PrintedPoses, convention: Convention) -> str:
     )
 
 
-def _changes(relation: PrintedPoses, convention: Convention) -> Iterator[_Change]:
-    """Yield the best change of each length, rounded as it is printed, and all right angles."""
+def _changes(relation: PrintedPoses, convention: Convention) -> Iterator[tuple[Place, float, str]]:
+    """Yield place and value of the best length, rounded as it is printed, and all right angles."""
     for row, joint in enumerate(relation.dh.row_names):
         for column, name in ((0, relation.a), (2, relation.d)):
             printed = relation.dh[joint, name]
             step = _last_digit(relation.dh, joint, name)
             length = round(_best_length(relation, convention, (row, column)) / step) * step
-            yield _changed(
-                relation,
-                convention,
-                (row, column),
-                length,
+            words = (
                 f"{name} of joint {joint} = {length / UNITS[printed.unit]:.10g} instead of "
-                f"{printed.text} {printed.unit}",
+                f"{printed.text} {printed.unit}"
             )
+            yield (row, column), length, words
         for angle in RIGHT_ANGLES:
             printed = relation.dh[joint, relation.alpha]
             words = f"{relation.alpha} of joint {joint} = {angle:.4f} instead of {printed.text} rad"
-            yield _changed(relation, convention, (row, 1), angle, words)
+            yield (row, 1), angle, words
 
 
-def _best_length(relation: PrintedPoses, convention: Convention, place: tuple[int, int]) -> float:
+def _best_length(relation: PrintedPoses, convention: Convention, place: Place) -> float:
     """Return the length at `place` that brings the points nearest, in m.
 
     Positions are linear in every length, so one difference gives the least-squares solution.
@@ -167,18 +169,6 @@ def _best_length(relation: PrintedPoses, convention: Convention, place: tuple[in
     if steepness < np.finfo(np.float64).eps:  # this length moves no point
         return float(dh[place])
     return float(dh[place] - np.sum(slope * before) / steepness)
-
-
-def _changed(
-    relation: PrintedPoses,
-    convention: Convention,
-    place: tuple[int, int],
-    value: float,
-    words: str,
-) -> _Change:
-    dh = _dh(relation)
-    dh[place] = value
-    return _Change(words=words, errors=_errors(relation, dh, convention))
 
 
 def _gap_in_words(relation: PrintedPoses, errors: Array, cell: TableCell) -> str:

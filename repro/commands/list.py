@@ -6,6 +6,7 @@ from argparse import Namespace
 from collections import Counter
 from collections.abc import Iterable
 from pathlib import Path
+from typing import Any
 
 from repro.commands import catalogue
 from repro.model.paper import Paper
@@ -13,7 +14,7 @@ from repro.runs.plan import plan
 from repro.runs.store.store import finished_keys
 from repro.runs.studies import studies
 
-Row = dict[str, object]
+Row = dict[str, Any]
 
 
 def run(options: Namespace) -> int:
@@ -63,18 +64,14 @@ def listing_text(rows: list[Row]) -> str:
     lines = []
     for row in rows:
         lines.append(f"{row['key']}: {row['title']}")
-        tables = row["tables"]
-        if isinstance(tables, list):
-            lines.append(f"  tables: {', '.join(tables)}; claims: {row['claims']}")
-        experiments = row["experiments"]
+        lines.append(f"  tables: {', '.join(row['tables'])}; claims: {row['claims']}")
         lines.extend(
             f"  {experiment['name']}: {' '.join(experiment['algorithms'])} on "
             f"{' '.join(experiment['problems'])}, {experiment['done']} runs done, "
             f"{experiment['missing']} missing"
-            for experiment in (experiments if isinstance(experiments, list) else ())
+            for experiment in row["experiments"]
         )
-        others = row["studies"]
-        if isinstance(others, list) and others:
+        if others := row["studies"]:
             lines.append(
                 f"  {len(others)} studies besides: {sum(o['done'] for o in others)} runs done, "
                 f"{sum(o['missing'] for o in others)} missing"

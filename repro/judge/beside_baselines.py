@@ -99,25 +99,10 @@ def paper_standings(
 def experiment_standings(
     experiment: Experiment,
     runs: Mapping[Cell, Runs],
-    certificates: Sequence[Certificate],
-    *,
-    yours: Sequence[str] = (),
-) -> ExperimentStandings:
-    """Return the standings of one experiment; `yours` are found in its own cells."""
-    return ExperimentStandings(
-        experiment=experiment,
-        problems=standings(experiment, runs, certificates, yours=yours),
-        budgets=budget_rows(experiment, runs),
-    )
-
-
-def standings(
-    experiment: Experiment,
-    runs: Mapping[Cell, Runs],
     certificates: Sequence[Certificate] = (),
     *,
     yours: Sequence[str] = (),
-) -> tuple[ProblemStandings, ...]:
+) -> ExperimentStandings:
     """Return where the algorithms of an experiment, the baselines and `yours` stand.
 
     What was not run is left out. `yours` are found in the experiment's own cells.
@@ -132,7 +117,8 @@ def standings(
             if cell in runs
         ], leave_out=unequal(experiment))  # fmt: skip
         found.append(ProblemStandings(problem=problem, minimum=minimum, rows=rows))
-    return tuple(found)
+    budgets = budget_rows(experiment, runs)
+    return ExperimentStandings(experiment=experiment, problems=tuple(found), budgets=budgets)
 
 
 def _places(
@@ -211,9 +197,8 @@ def budget_rows(experiment: Experiment, runs: Mapping[Cell, Runs]) -> tuple[Budg
 def _mean_ranks(
     experiment: Experiment, runs: Mapping[Cell, Runs], place: Mapping[str, str]
 ) -> Mapping[str, float]:
-    names = tuple(experiment.algorithms)
-    ranks = [
-        rankdata([mean(runs[place[name], problem, name].costs[0]) for name in names])
+    means = [
+        [mean(runs[place[name], problem, name].costs[0]) for name in place]
         for problem in experiment.problems
     ]
-    return dict(zip(names, map(float, np.mean(ranks, axis=0)), strict=True))
+    return dict(zip(place, rankdata(means, axis=1).mean(axis=0).tolist(), strict=True))

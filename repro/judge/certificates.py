@@ -1,6 +1,6 @@
 """Proved minima of the trajectory problems, and how far printed times lie from them."""
 
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 
 from repro.model.claims import CellClaim, Claim
 from repro.model.measures.measure import Statistic
@@ -67,20 +67,20 @@ def _certificate(
     return Certificate(
         paper=paper.key,
         problem=label,
-        minimum=least.minimum,
-        lower_bound=least.lower_bound,
-        attained=least.attained,
-        method=least.method,
-        at=least.at,
-        binding=least.binding,
         printed=_printed(paper, of, least.minimum) if of and least.minimum else (),
-        explanation=least.explanation,
+        **asdict(least),
     )
 
 
 def _printed(paper: Paper, of: tuple[str, str], total: float) -> tuple[PrintedTime, ...]:
     """Return the printed times of the problem: those of tables, and others that the text has."""
-    claims = [claim for claim in paper.claims if _is_total(claim, of)]
+    claims = [
+        claim
+        for claim in paper.claims
+        if isinstance(claim.measure, Statistic)
+        and claim.measure.cell[:2] == of
+        and claim.measure.quantity == "total"
+    ]
     tabled = {claim.printed.si for claim in claims if claim.place}
     return tuple(
         PrintedTime(
@@ -88,15 +88,6 @@ def _printed(paper: Paper, of: tuple[str, str], total: float) -> tuple[PrintedTi
         )
         for claim in claims
         if claim.place or claim.printed.si not in tabled
-    )
-
-
-def _is_total(claim: Claim, of: tuple[str, str]) -> bool:
-    measure = claim.measure
-    return (
-        isinstance(measure, Statistic)
-        and (measure.experiment, measure.problem) == of
-        and measure.quantity == "total"
     )
 
 

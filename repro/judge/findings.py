@@ -106,28 +106,24 @@ def _readings(
 
 def judged(claim: Claim, evidence: Evidence, *, halves: bool = True) -> Finding:
     """Return what is said of one claim; `halves` of the repeats must then agree."""
-    accepted = claim.accepted.band(claim.printed)
     if claim.measure is None:
         why = claim.gap.because if claim.gap else ""
-        return _named(claim, accepted, Verdict.NOT_REPRODUCIBLE, note=why)
+        return _unsaid(claim, Verdict.NOT_REPRODUCIBLE, note=why)
     absent = [cell for cell in claim.measure.cells() if cell not in evidence.runs]
     if absent:
         names = ", ".join("/".join(cell) for cell in absent)
-        return _named(claim, accepted, Verdict.NOT_RUN, note=f"no whole repeat of {names}")
+        return _unsaid(claim, Verdict.NOT_RUN, note=f"no whole repeat of {names}")
     measured = claim.measure.measure(evidence)
     interval = _interval(claim, measured)
-    verdict, side = verdict_of(interval, accepted)
+    verdict, side = verdict_of(interval, claim.accepted.band(claim.printed))
     note = PROVISIONAL if measured.repeats == 1 else ""
     if halves and _flips(claim.measure, claim, evidence):
         verdict, side, note = Verdict.UNDECIDED, None, FLIPS
-    return _named(
-        claim,
-        accepted,
-        verdict,
+    return replace(
+        _unsaid(claim, verdict, note=note),
         measured=interval,
         value=measured.value / UNITS[claim.printed.unit],
         side=side,
-        note=note,
         quantile=_quantile(claim, measured) if measured.repeats and not _in_words(claim) else None,
         repeats=measured.repeats,
     )
@@ -164,34 +160,23 @@ def _quantile(claim: Claim, measured: Measured) -> float:
     return float(below + 0.5 * (measured.draws == printed).mean())
 
 
-def _named(
-    claim: Claim,
-    accepted: Interval,
-    verdict: Verdict,
-    *,
-    measured: Interval | None = None,
-    value: float | None = None,
-    side: str | None = None,
-    note: str = "",
-    quantile: float | None = None,
-    repeats: int = 0,
-) -> Finding:
+def _unsaid(claim: Claim, verdict: Verdict, *, note: str = "") -> Finding:
+    """Return a finding that names the claim and measures nothing."""
+    table, row, column = claim.place or (None, None, None)
     return Finding(
-        table=claim.table.label if isinstance(claim, CellClaim) else None,
-        row=claim.row if isinstance(claim, CellClaim) else None,
-        column=claim.column if isinstance(claim, CellClaim) else None,
+        table=table,
+        row=row,
+        column=column,
         claim=None if isinstance(claim, CellClaim) else claim.claim,
         where=claim.where,
         printed=IN_WORDS if _in_words(claim) else claim.printed.text,
         unit=claim.printed.unit,
-        measured=measured,
-        value=value,
-        accepted=accepted,
+        measured=None,
+        value=None,
+        accepted=claim.accepted.band(claim.printed),
         verdict=verdict,
-        side=side,
+        side=None,
         note=note,
-        quantile=quantile,
-        repeats=repeats,
         measure=claim.measure.words if claim.measure else "",
         tolerance=claim.accepted.words,
     )

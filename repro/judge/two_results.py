@@ -2,7 +2,7 @@
 
 from collections import Counter
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any
 
 from repro.errors import InputError
@@ -48,16 +48,7 @@ class TwoResults:
             "same": self.compared - len(self.flips),
             "opposite": len(self.opposite),
             "changes": dict(Counter(f"{flip.first} → {flip.second}" for flip in self.flips)),
-            "flips": [
-                {
-                    "paper": flip.paper,
-                    "place": flip.place,
-                    "first": flip.first,
-                    "second": flip.second,
-                    "opposite": flip.opposite,
-                }
-                for flip in self.flips
-            ],
+            "flips": [{**asdict(flip), "opposite": flip.opposite} for flip in self.flips],
         }
 
     def as_text(self) -> str:

@@ -14,17 +14,15 @@ def anchor(*parts: str | None) -> str:
 
 def identifiers(places: Iterable[tuple[str | None, ...]]) -> list[str]:
     """Return one identifier per place of a paper, no two alike: links and commands name it."""
-    used: set[str] = set()
-    names = []
+    names: dict[str, None] = {}  # as a set that keeps the order
     for place in places:
         first = name = anchor(*place)
         count = 1
-        while name in used:
+        while name in names:
             count += 1
             name = f"{first}-{count}"
-        used.add(name)
-        names.append(name)
-    return names
+        names[name] = None
+    return list(names)
 
 
 def claim_names(claims: Iterable[Claim]) -> list[str]:

@@ -3,7 +3,7 @@
 import dataclasses
 import json
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -66,16 +66,11 @@ def merged(fresh: Iterable[Json], old: Json | None, order: Iterable[str]) -> Jso
     papers = [entries[key] for key in order if key in entries]
     return {
         "schema": SCHEMA,
-        "provenance": _common_provenance(papers),
+        "provenance": {
+            "repeats": max((paper["provenance"]["repeats"] for paper in papers), default=0),
+            "runs": sum(paper["provenance"]["runs"] for paper in papers),
+        },
         "papers": papers,
-    }
-
-
-def _common_provenance(papers: Sequence[Json]) -> Json:
-    own = [paper["provenance"] for paper in papers]
-    return {
-        "repeats": max((each["repeats"] for each in own), default=0),
-        "runs": sum(each["runs"] for each in own),
     }
 
 

@@ -26,7 +26,8 @@ def repeat_rows(paper: str, blocks: Sequence[Block]) -> Iterator[AuditRow]:
         for name in block.cells:
             if _stands(block, name):
                 printed = block.printed(name)
-                size = (block.quantity, len(digits(printed)), _decade(printed))
+                decade = math.floor(math.log10(abs(printed.value)))
+                size = (block.quantity, len(digits(printed)), decade)
                 alike[size].append((block, name))
                 equal[size, printed.value].append((block, name))
     for (size, _), same in equal.items():
@@ -35,10 +36,6 @@ def repeat_rows(paper: str, blocks: Sequence[Block]) -> Iterator[AuditRow]:
         if _pairs(same) and chance < CHANCE:
             yield _equal_cells(paper, same, pairs=pairs, chance=chance)
     yield from _equal_digits(paper, blocks)
-
-
-def _decade(printed: Printed) -> int:
-    return math.floor(math.log10(abs(printed.value)))
 
 
 def _pairs(entries: Sequence[Entry]) -> int:

@@ -14,7 +14,8 @@ def spread_rows(paper: str, block: Block) -> Iterator[AuditRow]:
     """Yield a row for a standard deviation that is too large, and one for one too small."""
     if "std" not in block.cells or block.n < 2:
         return
-    findings = {"std-bound": _too_large(block), _small_check(block): _too_small(block)}
+    small = "zero-std" if block.printed("std").value == 0 else "std-floor"
+    findings = {"std-bound": _too_large(block), small: _too_small(block)}
     for check, explanation in findings.items():
         if explanation:
             yield audit_row(
@@ -24,10 +25,6 @@ def spread_rows(paper: str, block: Block) -> Iterator[AuditRow]:
                 grade=Grade.IMPOSSIBLE,
                 explanation=explanation,
             )
-
-
-def _small_check(block: Block) -> str:
-    return "zero-std" if block.printed("std").value == 0 else "std-floor"
 
 
 def _too_large(block: Block) -> str:

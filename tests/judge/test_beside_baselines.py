@@ -4,7 +4,7 @@ from dataclasses import replace
 import numpy as np
 
 from repro.functions import FUNCTIONS
-from repro.judge.beside_baselines import Standing, budget_rows, mean_ranks, standings
+from repro.judge.beside_baselines import Standing, budget_rows, experiment_standings, mean_ranks
 from repro.model.evidence import Cell, Runs
 from repro.model.experiment import Experiment
 from repro.optimisers import DE, WOA
@@ -46,7 +46,8 @@ def every_run() -> dict[Cell, Runs]:
 
 
 def ball(found: dict[Cell, Runs]) -> dict[tuple[str, str], Standing]:
-    return {(row.algorithm, row.kind): row for row in standings(EXPERIMENT, found)[1].rows}
+    rows = experiment_standings(EXPERIMENT, found).problems[1].rows
+    return {(row.algorithm, row.kind): row for row in rows}
 
 
 def test_standing_is_that_of_the_first_repeat() -> None:
@@ -76,8 +77,8 @@ def test_equal_means_share_their_rank() -> None:
 
 
 def test_what_was_not_run_is_left_out() -> None:
-    assert standings(EXPERIMENT, {})[0].rows == ()
-    assert mean_ranks(standings(EXPERIMENT, {})) == {}
+    assert experiment_standings(EXPERIMENT, {}).problems[0].rows == ()
+    assert mean_ranks(experiment_standings(EXPERIMENT, {}).problems) == {}
     assert ball({("search", "ball", "WOA"): runs([1.0])}).keys() == {("WOA", "printed protocol")}
 
 
@@ -85,7 +86,7 @@ def test_mean_rank_needs_a_rank_on_every_problem() -> None:
     found = every_run()
     del found[BASELINES, "hump", "random search"]
 
-    ranks = mean_ranks(standings(EXPERIMENT, found))
+    ranks = mean_ranks(experiment_standings(EXPERIMENT, found).problems)
 
     assert ranks == {("WOA", "printed protocol"): 1.0, ("DE", "equal evaluations"): 2.0}
 
@@ -93,7 +94,7 @@ def test_mean_rank_needs_a_rank_on_every_problem() -> None:
 def test_search_of_the_user_is_ranked_with_the_others() -> None:
     found = every_run() | {("search", "ball", "mine"): runs([0.5])}
 
-    (_, problem) = standings(EXPERIMENT, found, yours=("mine",))
+    (_, problem) = experiment_standings(EXPERIMENT, found, yours=("mine",)).problems
 
     assert [(row.algorithm, row.rank) for row in problem.rows if row.kind == "yours"] == [
         ("mine", 1.0)

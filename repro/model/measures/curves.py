@@ -8,6 +8,7 @@ of its joints have.
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
+from itertools import product
 from types import MappingProxyType
 from typing import ClassVar, Literal
 
@@ -16,7 +17,7 @@ from numpy.typing import NDArray
 
 from repro.determinism.seeds import generator
 from repro.model.evidence import Cell, Evidence
-from repro.model.measures.measure import TABLES, Measure, Measured, fewest_repeats
+from repro.model.measures.measure import TABLES, Measure, Measured, place_among
 from repro.robotics.path_fitting import PathFitting
 from repro.robotics.polynomial_curves import values
 from repro.statistics.summary import STATISTICS
@@ -111,13 +112,8 @@ class PlaceAmong:
 
     def measure(self, evidence: Evidence) -> Measured:
         """Return the place in the first repeat and in resampled tables."""
-        own = self.of.measure(evidence)
         others = [measure.measure(evidence) for measure in self.others]
-        return Measured(
-            value=1.0 + sum(other.value < own.value for other in others),
-            draws=np.asarray(1.0 + sum(1.0 * (other.draws < own.draws) for other in others)),
-            repeats=fewest_repeats(own, *others),
-        )
+        return place_among(self.of.measure(evidence), others)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -206,11 +202,7 @@ class Sensitivity:
 
     def cells(self) -> tuple[Cell, ...]:
         """Return one cell per experiment and problem."""
-        return tuple(
-            (experiment, problem, self.algorithm)
-            for experiment in (self.experiment, self.shifted)
-            for problem in self.problems
-        )
+        return tuple(product((self.experiment, self.shifted), self.problems, (self.algorithm,)))
 
     def measure(self, evidence: Evidence) -> Measured:
         """Return the sensitivity in the first repeat and in resampled tables."""
@@ -223,7 +215,8 @@ class Sensitivity:
             ]
             both = min(map(len, pair))  # under another reading one of them has fewer repeats
             before, after = (points[:both] for points in pair)
-            changes.append(_greatest_difference(before, after, problems[name]) / self.shift)
+            apart = np.abs(values(after - before, problems[name].times))
+            changes.append(apart.max(axis=-1) / self.shift)
         combined = _COMBINED["largest"](_of_common_repeats(changes))
         return _summarised(combined, "median", evidence, self.experiment, self.algorithm)
 
@@ -244,10 +237,6 @@ def _of_common_repeats(parts: Sequence[Vector]) -> Vector:
     """Return as one array what parts of shape (repeats, ...) have of the repeats common to all."""
     repeats = min(map(len, parts))  # a failed or missing run takes its repeat from one part alone
     return np.array([part[:repeats] for part in parts])
-
-
-def _greatest_difference(before: Vector, after: Vector, problem: PathFitting) -> Vector:
-    return np.asarray(np.abs(values(after - before, problem.times)).max(axis=-1))
 
 
 def _summarised(

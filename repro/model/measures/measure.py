@@ -1,7 +1,7 @@
 """What can be measured for a claim: statistics of runs, ranks, reductions, computed values."""
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import ClassVar, Protocol
 
@@ -34,6 +34,15 @@ class Measured:
 def fewest_repeats(*parts: Measured) -> int:
     """Return the fewest repeats that any part rests on; a part without runs has none to count."""
     return min((part.repeats for part in parts if part.repeats), default=0)
+
+
+def place_among(own: Measured, others: Sequence[Measured]) -> Measured:
+    """Return the place of one among others, 1 for the lowest; ties share the lower place."""
+    return Measured(
+        value=1.0 + sum(other.value < own.value for other in others),
+        draws=np.asarray(1.0 + sum(1.0 * (other.draws < own.draws) for other in others)),
+        repeats=fewest_repeats(own, *others),
+    )
 
 
 class Measure(Protocol):
@@ -122,23 +131,9 @@ class Rank:
 
     def measure(self, evidence: Evidence) -> Measured:
         """Return the rank in the first repeat and in resampled tables."""
-        own = self.of.measure(evidence)
-        others = [
-            Statistic(
-                experiment=self.of.experiment,
-                problem=self.of.problem,
-                algorithm=name,
-                statistic=self.of.statistic,
-                quantity=self.of.quantity,
-            ).measure(evidence)
-            for name in self.among
-            if name != self.of.algorithm
-        ]
-        return Measured(
-            value=1.0 + sum(other.value < own.value for other in others),
-            draws=1.0 + np.sum([other.draws < own.draws for other in others], axis=0),
-            repeats=fewest_repeats(own, *others),
-        )
+        rivals = [name for name in self.among if name != self.of.algorithm]
+        others = [replace(self.of, algorithm=name).measure(evidence) for name in rivals]
+        return place_among(self.of.measure(evidence), others)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

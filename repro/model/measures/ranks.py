@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import partial
+from itertools import product
 from types import MappingProxyType
 from typing import ClassVar, Literal
 
@@ -58,11 +59,7 @@ class Contest:
 
     def cells(self) -> tuple[Cell, ...]:
         """Return the cells of every algorithm on every problem."""
-        return tuple(
-            (self.experiment, problem, algorithm)
-            for problem in self.problems
-            for algorithm in self.algorithms
-        )
+        return tuple(product((self.experiment,), self.problems, self.algorithms))
 
     def ranks(self, evidence: Evidence) -> tuple[Vector, int]:
         """Return ranks (problems, algorithms, 1 + tables), the first repeat first, and repeats."""
@@ -190,11 +187,7 @@ class RankSum:
 
     def cells(self) -> tuple[Cell, ...]:
         """Return the cells of both algorithms on every problem."""
-        return tuple(
-            (self.experiment, problem, name)
-            for problem in self.problems
-            for name in (self.algorithm, self.against)
-        )
+        return tuple(product((self.experiment,), self.problems, (self.algorithm, self.against)))
 
     def measure(self, evidence: Evidence) -> Measured:
         """Return p or sign in the first repeat and in resampled tables."""

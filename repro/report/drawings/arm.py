@@ -25,6 +25,7 @@ from repro.report.drawings.style import (
     empty,
     legend_height,
 )
+from repro.report.drawings.tool_path import numbered
 from repro.report.words import number
 from repro.robotics.skeleton import Skeleton
 
@@ -120,12 +121,9 @@ def _draw_base(axes: Axes, eye: Eye) -> None:
 
 def _number_tools(axes: Axes, places: Sequence[Vector]) -> None:
     """Write the numbers of the waypoints at the tool; those at the same place share one label."""
-    numbers: dict[tuple[float, float], list[str]] = {}
-    for index, (across, up) in enumerate(np.round(places, 3).tolist()):
-        numbers.setdefault((across, up), []).append(str(index + 1))
-    for place, shared in numbers.items():
+    for numbers, place in numbered(np.array(places)):
         axes.annotate(
-            ", ".join(shared),
+            numbers,
             place,
             xytext=(0, 9),
             textcoords="offset points",
@@ -219,14 +217,11 @@ def _rows(motions: Sequence[Moving]) -> Rows:
     frames = len(motions[0].postures[0].origins)
     names = ["base", *(f"frame {k}" for k in range(1, frames - 1)), "tool"]
     headings = ("motion", "time [s]", *(f"{axis} of {n} [m]" for n in names for axis in "xyz"))
-    rows: list[tuple[str, ...]] = [headings]
-    for motion in motions:
-        rows += [
-            (
-                motion.name,
-                f"{time:.6g}",
-                *(f"{value:.4f}" for value in posture.origins.ravel()),
-            )
+    return (
+        headings,
+        *(
+            (motion.name, f"{time:.6g}", *(f"{value:.4f}" for value in posture.origins.ravel()))
+            for motion in motions
             for time, posture in zip(motion.times, motion.postures, strict=True)
-        ]
-    return tuple(rows)
+        ),
+    )

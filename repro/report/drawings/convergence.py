@@ -19,7 +19,7 @@ from repro.report.drawings.style import (
     Style,
     line_style,
     name_left_axis,
-    panels,
+    panels_two_abreast,
 )
 from repro.report.words import number
 
@@ -113,25 +113,13 @@ def convergence_plot(figure: Convergence, evidence: Evidence) -> Plot | None:
         for name in experiment.algorithms
         if any(name in panel for panel in curves.values())
     ]
-    columns = min(2, len(curves))
-    canvas, grid = panels(
-        math.ceil(len(curves) / columns),
-        columns,
-        height=1.7,
-        legend=legend,
-        gaps=(0.62, 0.62),
-        title=0.28,
-        share=False,
-    )
-    places = [axes for row in grid for axes in row]
-    for axes, (problem, panel) in zip(places, curves.items(), strict=False):
+    canvas, places = panels_two_abreast(len(curves), height=1.7, legend=legend, gaps=(0.62, 0.62))
+    for axes, (problem, panel) in zip(places, curves.items(), strict=True):
         _draw_panel(axes, panel, experiment)
         axes.set_title(problem)
-    for row in grid:
-        name_left_axis(row[0], "best cost")
-    for axes in places[len(curves) :]:
-        axes.remove()
-    for axes in places[max(0, len(curves) - columns) : len(curves)]:
+    for axes in places[::2]:
+        name_left_axis(axes, "best cost")
+    for axes in places[-2:]:
         axes.set_xlabel("iteration")
     return Plot(canvas=canvas, description=_description(curves, missing), rows=_rows(curves))
 

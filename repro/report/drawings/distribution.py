@@ -1,6 +1,5 @@
 """Strips of runs: from the lowest to the highest, the middle half, the median, what is printed."""
 
-import math
 import textwrap
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -11,7 +10,7 @@ from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
 from repro.report.drawings.convergence import CostScale
-from repro.report.drawings.style import Plot, Rows, Style, panels
+from repro.report.drawings.style import Plot, Rows, Style, panels_two_abreast
 from repro.report.words import number
 
 Vector = NDArray[np.float64]
@@ -59,22 +58,12 @@ class Panel:
 
 def distribution_plot(drawn: Sequence[Panel]) -> Plot:
     """Return the drawing of one panel per problem; zeros stand on a mark of their own."""
-    columns = min(2, len(drawn))
     most = max(len(panel.strips) for panel in drawn)
-    canvas, grid = panels(
-        math.ceil(len(drawn) / columns),
-        columns,
-        height=LINE * (most + 0.5),
-        legend=_legend(drawn),
-        gaps=(0.86, 0.55),
-        title=0.28,
-        share=False,
+    canvas, places = panels_two_abreast(
+        len(drawn), height=LINE * (most + 0.5), legend=_legend(drawn), gaps=(0.86, 0.55)
     )
-    places = [axes for row in grid for axes in row]
-    for axes, panel in zip(places, drawn, strict=False):
+    for axes, panel in zip(places, drawn, strict=True):
         _draw(axes, panel)
-    for axes in places[len(drawn) :]:
-        axes.remove()
     return Plot(canvas=canvas, description=_description(drawn), rows=_rows(drawn))
 
 

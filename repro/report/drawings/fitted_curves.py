@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from matplotlib.lines import Line2D
@@ -9,13 +10,13 @@ from numpy.typing import NDArray
 
 from repro.model.evidence import Evidence, Runs
 from repro.model.figures import JointCurves
+from repro.report.drawings.motion import QUANTITIES, UNITS, sample_rows
 from repro.report.drawings.style import CURVE_POINTS, Plot, Rows, line_style, name_left_axis, panels
 from repro.report.words import number
 from repro.robotics.polynomial_curves import derivative, values
 
 Vector = NDArray[np.float64]
-QUANTITIES = ("angle", "velocity", "acceleration")
-UNITS = ("rad", "rad/s", "rad/s²")
+DERIVATIVES = range(3)  # angle, velocity and acceleration
 DESIRED = "desired path"
 
 
@@ -32,21 +33,19 @@ def joint_curves_plot(figure: JointCurves, evidence: Evidence) -> Plot:
     courses, missing = _courses(figure, evidence)
     joints = range(len(figure.paths))
     canvas, grid = panels(
-        len(QUANTITIES),
+        len(DERIVATIVES),
         len(courses),
         height=1.45,
         legend=[
             Line2D([], [], label=f"joint {joint + 1}", **line_style(joint)) for joint in joints
         ],
-        gaps=(0.2, 0.16),
         title=0.28,
-        share=True,
     )
     times = np.linspace(0.0, figure.paths[0].duration, CURVE_POINTS)
     for order, row in enumerate(grid):
         for axes, course in zip(row, courses, strict=True):
-            for joint, curve in enumerate(course.coefficients):
-                axes.plot(times, values(derivative(curve, order), times), **line_style(joint))
+            for joint, curve in enumerate(_sampled(course, times, order)[1].T):
+                axes.plot(times, curve, **line_style(joint))
             axes.set_xlim(0, times[-1])
             axes.locator_params(axis="x", nbins=1 + 6 // len(courses))  # labels side by side
             axes.locator_params(axis="y", nbins=5)
@@ -116,22 +115,15 @@ def _peaks(course: Curves, duration: float) -> str:
         max(float(np.abs(values(derivative(c, order), times)).max()) for c in course.coefficients)
         for order in (1, 2)
     ]
-    return " and ".join(f"{number(p)} {unit}" for p, unit in zip(peaks, UNITS[1:], strict=True))
+    return " and ".join(f"{number(p)} {unit}" for p, unit in zip(peaks, UNITS[1:3], strict=True))
+
+
+def _sampled(course: Curves, times: Vector, order: int) -> tuple[Vector, Vector]:
+    curves = [values(derivative(curve, order), times) for curve in course.coefficients]
+    return times, np.transpose(curves)
 
 
 def _rows(courses: Sequence[Curves], times: Vector) -> Rows:
     joints = range(1, len(courses[0].coefficients) + 1)
-    units = zip(QUANTITIES, UNITS, strict=True)
-    named = [f"{name} of joint {joint} [{unit}]" for name, unit in units for joint in joints]
-    rows: list[tuple[str, ...]] = [("curve", "time [s]", *named)]
-    for course in courses:
-        columns = [
-            values(derivative(curve, order), times)
-            for order in range(len(QUANTITIES))
-            for curve in course.coefficients
-        ]
-        rows += [
-            (course.name, f"{time:.6g}", *(f"{value:.6g}" for value in line))
-            for time, line in zip(times, np.array(columns).T, strict=True)
-        ]
-    return tuple(rows)
+    sampled = [(course.name, partial(_sampled, course, times)) for course in courses]
+    return sample_rows("curve", sampled, derivatives=DERIVATIVES, joints=joints)

@@ -1,7 +1,8 @@
 """Angle, velocity and acceleration of every joint over time, with the limits."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -17,6 +18,8 @@ from repro.robotics.rest_to_rest import motion
 Vector = NDArray[np.float64]
 QUANTITIES = ("angle", "velocity", "acceleration", "jerk")
 UNITS = ("rad", "rad/s", "rad/s²", "rad/s³")
+Sample = Callable[[int], tuple[Vector, Vector]]
+"""From the order of a derivative to times (n,) and its values (n, joints)."""
 CERTIFIED = "certified optimum"
 SET = "durations as set"
 
@@ -48,9 +51,7 @@ def motion_plot(figure: Motion, evidence: Evidence) -> Plot:
         len(courses),
         height=1.45,
         legend=legend,
-        gaps=(0.2, 0.16),
         title=0.44,
-        share=True,
     )
     for derivative, row in zip(derivatives, grid, strict=True):
         for axes, course in zip(row, courses, strict=True):
@@ -166,19 +167,26 @@ def _description(problem: MinimumTime, courses: Sequence[Course], missing: Seque
 
 
 def _rows(problem: MinimumTime, courses: Sequence[Course]) -> Rows:
-    derivatives = _derivatives(problem)
     joints = range(1, len(problem.velocity) + 1)
-    headings = (
-        "motion",
-        "time [s]",
-        *(f"{QUANTITIES[m]} of joint {k} [{UNITS[m]}]" for m in derivatives for k in joints),
-    )
-    rows = [headings]
-    for course in courses:
-        times, _ = _sampled(problem, course, 0)
-        values = np.hstack([_sampled(problem, course, m)[1] for m in derivatives])
+    sampled = [(course.name, partial(_sampled, problem, course)) for course in courses]
+    return sample_rows("motion", sampled, derivatives=_derivatives(problem), joints=joints)
+
+
+def sample_rows(
+    what: str,
+    sampled: Iterable[tuple[str, Sample]],
+    *,
+    derivatives: Sequence[int],
+    joints: Sequence[int],
+) -> Rows:
+    """Return a row per sample: which motion, the time, every derivative of every joint."""
+    named = (f"{QUANTITIES[m]} of joint {k} [{UNITS[m]}]" for m in derivatives for k in joints)
+    rows: list[tuple[str, ...]] = [(what, "time [s]", *named)]
+    for name, sample in sampled:
+        times, _ = sample(0)
+        values = np.hstack([sample(m)[1] for m in derivatives])
         rows += [
-            (course.name, f"{time:.6g}", *(f"{value:.6g}" for value in line))
+            (name, f"{time:.6g}", *(f"{value:.6g}" for value in line))
             for time, line in zip(times, values, strict=True)
         ]
     return tuple(rows)

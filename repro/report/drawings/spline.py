@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -11,7 +12,7 @@ from numpy.typing import NDArray
 from repro.errors import NotProvedError
 from repro.model.evidence import Evidence
 from repro.model.figures import SplineMotion
-from repro.report.drawings.motion import CERTIFIED, QUANTITIES, UNITS, Course
+from repro.report.drawings.motion import CERTIFIED, QUANTITIES, UNITS, Course, sample_rows
 from repro.report.drawings.style import CURVE_POINTS, Plot, Rows, line_style, name_left_axis, panels
 from repro.report.words import number
 from repro.robotics.proofs.spline_minimum import prove
@@ -43,9 +44,7 @@ def spline_plot(figure: SplineMotion, evidence: Evidence) -> Plot:
         legend=[
             Line2D([], [], label=curve.label, **line_style(curve.style)) for curve in columns[0]
         ],
-        gaps=(0.2, 0.16),
         title=0.44 if len(columns) > 1 else 0.1,
-        share=True,
     )
     for derivative, row in zip(figure.derivatives, grid, strict=True):
         for axes, curves in zip(row, columns, strict=True):
@@ -110,9 +109,10 @@ def _courses(figure: SplineMotion, evidence: Evidence) -> tuple[list[Course], li
 
 
 def _sampled(figure: SplineMotion, course: Course, derivative: int) -> tuple[Vector, Vector]:
-    """Return times (n,) and the values of all joints (n, joints)."""
+    """Return times (n,) and the values of the joints that are drawn, in their order."""
     samples = max(9, CURVE_POINTS // figure.problem.segments)
-    return motion(figure.problem, course.durations, derivative=derivative, samples=samples)
+    times, values = motion(figure.problem, course.durations, derivative=derivative, samples=samples)
+    return times, values[:, [joint - 1 for joint in figure.joints]]
 
 
 def _draw_curves(
@@ -120,7 +120,7 @@ def _draw_curves(
 ) -> None:
     for curve in curves:
         times, values = _sampled(figure, curve.course, derivative)
-        axes.plot(times, values[:, curve.joint - 1], **line_style(curve.style))
+        axes.plot(times, values[:, figure.joints.index(curve.joint)], **line_style(curve.style))
     if len(figure.joints) > 1:
         for end in np.cumsum(curves[0].course.durations):
             axes.axvline(end, color="#000000", linewidth=0.8, alpha=0.6)
@@ -166,22 +166,5 @@ def _peaks(figure: SplineMotion, course: Course) -> str:
 
 
 def _rows(figure: SplineMotion, courses: Sequence[Course]) -> Rows:
-    headings = (
-        "motion",
-        "time [s]",
-        *(
-            f"{QUANTITIES[derivative]} of joint {joint} [{UNITS[derivative]}]"
-            for derivative in figure.derivatives
-            for joint in figure.joints
-        ),
-    )
-    rows = [headings]
-    for course in courses:
-        times, _ = _sampled(figure, course, 0)
-        drawn = [joint - 1 for joint in figure.joints]
-        values = np.hstack([_sampled(figure, course, m)[1][:, drawn] for m in figure.derivatives])
-        rows += [
-            (course.name, f"{time:.6g}", *(f"{value:.6g}" for value in line))
-            for time, line in zip(times, values, strict=True)
-        ]
-    return tuple(rows)
+    sampled = [(course.name, partial(_sampled, figure, course)) for course in courses]
+    return sample_rows("motion", sampled, derivatives=figure.derivatives, joints=figure.joints)

@@ -82,9 +82,9 @@ def panels(
     *,
     height: float,
     legend: Sequence[Line2D],
-    gaps: tuple[float, float],
     title: float,
-    share: bool,
+    gaps: tuple[float, float] = (0.2, 0.16),
+    share: bool = True,
 ) -> tuple[Figure, list[list[Axes]]]:
     """Return a figure with its legend on top and rows of panels of that height below.
 
@@ -114,6 +114,26 @@ def panels(
     for axes in grid.flat:
         plain(axes)
     return canvas, [list(row) for row in grid]
+
+
+def panels_two_abreast(
+    count: int, *, height: float, legend: Sequence[Line2D], gaps: tuple[float, float]
+) -> tuple[Figure, list[Axes]]:
+    """Return a figure of so many panels with a title each, every one with axes of its own."""
+    across = min(2, count)
+    canvas, grid = panels(
+        math.ceil(count / across),
+        across,
+        height=height,
+        legend=legend,
+        gaps=gaps,
+        title=0.28,
+        share=False,
+    )
+    places = [axes for row in grid for axes in row]
+    for axes in places[count:]:
+        axes.remove()
+    return canvas, places[:count]
 
 
 def empty(height: float) -> Figure:

@@ -126,7 +126,7 @@ def _draw_view(axes: Axes, path: Path, pair: list[int]) -> None:
     axes.plot(*path.along[:, pair].T, **line_style(0))
     axes.plot(*path.computed[:, pair].T, color="#000000", linestyle="", **COMPUTED)
     axes.plot(*path.printed[:, pair].T, color=COLOURS[1], linestyle="", **PRINTED)
-    for names, place in _labels(path.computed[:, pair]):
+    for names, place in numbered(path.computed[:, pair]):
         axes.annotate(
             names,
             place,
@@ -137,7 +137,7 @@ def _draw_view(axes: Axes, path: Path, pair: list[int]) -> None:
         )
 
 
-def _labels(places: Vector) -> list[tuple[str, Place]]:
+def numbered(places: Vector) -> list[tuple[str, Place]]:
     """Return the numbers of the waypoints at each place; those at the same place together."""
     numbers: dict[Place, list[str]] = {}
     for index, (across, up) in enumerate(places.round(3).tolist()):

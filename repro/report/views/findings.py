@@ -16,7 +16,10 @@ Place = tuple[str | None, str | None, str | None]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Shown:
-    """One finding as the pages show it; it stands on `line` of the CSV file of `group`."""
+    """One finding as the pages show it.
+
+    It stands on `line` of the CSV file that is named by the paper's key and `group`.
+    """
 
     finding: Finding
     anchor: str
@@ -73,26 +76,16 @@ class Table:
 def everything(findings: Sequence[Finding], rows: Iterable[AuditRow]) -> list[Shown]:
     """Return every finding in the words and digits of the pages, with the audit rows on it."""
     marks = marks_by_cell(rows)
-    names = identifiers(map(place_of, findings))
+    names = identifiers((f.table or "claim", f.row, f.column, f.claim) for f in findings)
     lines: Counter[str] = Counter()
     found = []
     for name, finding in zip(names, findings, strict=True):
-        group = group_of(finding)
+        group = anchor(finding.table or "claims")
         lines[group] += 1
         cell = (finding.table, finding.row, finding.column)
         own = tuple(marks.get(cell, ())) if finding.table else ()
         found.append(_shown(finding, name, group, lines[group] + 1, own))
     return found
-
-
-def place_of(finding: Finding) -> tuple[str | None, ...]:
-    """Return what the identifier of a finding is made of."""
-    return finding.table or "claim", finding.row, finding.column, finding.claim
-
-
-def group_of(finding: Finding) -> str:
-    """Return the name of the CSV file that a finding stands in, less the paper's key."""
-    return anchor(finding.table or "claims")
 
 
 def tallies(found: Iterable[Shown]) -> list[Tally]:

@@ -5,7 +5,6 @@ from dataclasses import dataclass
 
 from repro.judge.beside_baselines import ProblemStandings
 from repro.judge.users_search import UsersSearch, UsersTest
-from repro.model.experiment import Experiment
 from repro.report.views.baselines import StandingsView, standings_view
 from repro.report.words import number
 from repro.tables.published import Printed
@@ -17,7 +16,6 @@ Texts = tuple[str, ...]
 class UsersSearchView:
     """The user's search in one experiment: standings, places among the printed, and tests."""
 
-    experiment: Experiment
     standings: StandingsView
     printed: tuple[Texts, ...]
     tests: tuple[Texts, ...]
@@ -26,7 +24,6 @@ class UsersSearchView:
 def users_search_view(found: UsersSearch) -> UsersSearchView:
     """Return where the search stands, in words."""
     return UsersSearchView(
-        experiment=found.standings.experiment,
         standings=standings_view(found.standings, seconds=True),
         printed=tuple(
             _printed(found.printed[standing.problem], standing)

@@ -12,23 +12,19 @@ from repro.runs.store.row import COLUMNS, Row, digest, unpack, whole_curve
 SIDE_FOLDER = "set-aside"
 
 
-def row_query(*, packed: bool = True) -> str:
+def row_query(database: sqlite3.Connection) -> str:
     """Return the query of one row by its id; a store of schema 1 has no column `packed`."""
+    columns = database.execute("pragma table_info(curve)").fetchall()
+    packed = "packed" if any(column[1] == "packed" for column in columns) else "0"
     return (
-        f"select {COLUMNS}, sha, json, y, {'packed' if packed else '0'} "  # noqa: S608
+        f"select {COLUMNS}, sha, json, y, {packed} "  # noqa: S608
         "from run left join curve using (id) left join env on env.id = run.env where run.id = ?"
     )
 
 
-def has_packed(database: sqlite3.Connection) -> bool:
-    """Return whether the curves of a store say that they are packed, as from schema 2 on."""
-    columns = database.execute("pragma table_info(curve)").fetchall()
-    return any(column[1] == "packed" for column in columns)
-
-
 def damaged_rows(database: sqlite3.Connection) -> Iterator[str]:
     """Yield the name of every row that is not what was written."""
-    query = row_query(packed=has_packed(database))
+    query = row_query(database)
     for (number,) in database.execute("select id from run not indexed"):
         row: Row = database.execute(query, (number,)).fetchone()
         if whole_curve(row) is None:
@@ -62,7 +58,7 @@ def whole_rows(path: Path) -> Iterator[Row]:
         closing(sqlite3.connect(f"{path.resolve().as_uri()}?mode=ro", uri=True)) as database,
     ):
         read_any_text(database)
-        query = row_query(packed=has_packed(database))
+        query = row_query(database)
         for number in _ids(database):
             with suppress(*UNREADABLE):
                 row: Row | None = database.execute(query, (number,)).fetchone()

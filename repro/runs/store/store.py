@@ -14,7 +14,6 @@ from repro.runs.plan import Task
 from repro.runs.run import Record
 from repro.runs.store.damage import (
     damaged_rows,
-    has_packed,
     row_query,
     set_file_aside,
     take_over,
@@ -38,10 +37,6 @@ _NAMED = 20  # damaged rows that are named one by one
 _AT_ONCE = 1000  # rows that one transaction takes over from a damaged file
 
 
-def _silent(_: str) -> None:
-    """Say nothing."""
-
-
 class Store:
     """The store in one folder; a context manager that holds its lock.
 
@@ -51,7 +46,7 @@ class Store:
     """
 
     def __init__(
-        self, folder: Path, *, writing: bool = True, say: Callable[[str], None] = _silent
+        self, folder: Path, *, writing: bool = True, say: Callable[[str], None] = lambda _: None
     ) -> None:
         """Name the folder; nothing is touched before the store is entered."""
         self.folder = folder
@@ -103,7 +98,7 @@ class Store:
         self._database = database
         self._hides_none = False
         with self._refusing():
-            self._row = row_query(packed=has_packed(database))
+            self._row = row_query(database)
 
     @contextmanager
     def _refusing(self) -> Iterator[None]:

@@ -19,6 +19,7 @@ CONNECT_SECONDS = 10
 BATCH_SECONDS = 1.0  # against about 5 ms that a task costs on the scheduler
 COUNT_SECONDS = 5.0  # between two looks at how many workers there are
 _SAME = ("python", "packages")  # what must be the same on every machine
+_environment = cache(provenance)
 
 
 @contextmanager
@@ -130,11 +131,6 @@ def run_packed(payload: bytes) -> dict[str, Any]:
         "sources": _sources(tasks),
         "records": [stripped(execute(task)) for task in tasks],
     }
-
-
-@cache
-def _environment() -> dict[str, object]:
-    return provenance()
 
 
 def _sources(tasks: tuple[Task, ...]) -> list[str]:

@@ -3,7 +3,7 @@
 import os
 from collections.abc import Callable, Iterator
 from concurrent.futures import Executor, Future
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from queue import Empty, SimpleQueue
 from threading import Event, Thread
 from typing import Any, ParamSpec, TypeVar
@@ -76,13 +76,10 @@ class LocalExecutor(Executor):
         """Take no more work; on cancel also end each batch after the run that it is at."""
         if cancel_futures:
             self._stopped.set()
-            while True:
-                try:
-                    work = self._work.get_nowait()
-                except Empty:
-                    break
-                if work:
-                    work[0].cancel()
+            with suppress(Empty):
+                while True:
+                    if work := self._work.get_nowait():
+                        work[0].cancel()
         for _ in self._threads:
             self._work.put(None)
         if wait:
