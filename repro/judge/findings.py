@@ -1,6 +1,6 @@
 """From evidence to findings: every printed number and claim with interval, band and verdict."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 from repro.judge.verdict import Verdict, verdict_of
@@ -66,27 +66,26 @@ class Finding:
 
 
 def findings_of(
-    claims: Iterable[Claim], evidence: Evidence, others: Iterable[EvidenceUnder] = ()
+    claims: Iterable[Claim], evidence: Evidence, others: Sequence[EvidenceUnder] = ()
 ) -> tuple[Finding, ...]:
     """Return one finding per claim, in the order of declaration.
 
     A contradicted number is judged again under every other reading that bears on it.
     """
-    varied = tuple(others)
     findings = []
     for position, claim in enumerate(claims):
         finding = judged(claim, evidence)
         if finding.verdict is Verdict.CONTRADICTED:
-            finding = replace(finding, readings=_readings(position, claim, varied))
+            finding = replace(finding, readings=_readings(position, claim, others))
         findings.append(finding)
     return tuple(findings)
 
 
 def _readings(
-    position: int, own: Claim, varied: tuple[EvidenceUnder, ...]
+    position: int, own: Claim, others: Sequence[EvidenceUnder]
 ) -> tuple[ReadingOutcome, ...]:
     outcomes = []
-    for other in varied:
+    for other in others:
         claim = other.claims[position]
         cells = claim.measure.cells() if claim.measure else ()
         if claim is own and other.changed.isdisjoint(cells):

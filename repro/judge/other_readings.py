@@ -1,6 +1,6 @@
 """What the runs under other readings of a paper say of its numbers."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -70,13 +70,12 @@ class Print:
 
 
 def fingerprints(
-    claims: Sequence[Claim], evidence: Evidence, others: Iterable[EvidenceUnder]
+    claims: Sequence[Claim], evidence: Evidence, others: Sequence[EvidenceUnder]
 ) -> tuple[Print, ...]:
     """Return the distance of each printed column of measured numbers under each reading.
 
     No reading is chosen because it is near.
     """
-    varied = tuple(others)
     columns: dict[tuple[str, str], list[int]] = {}
     for position, claim in enumerate(claims):
         if isinstance(claim, CellClaim) and isinstance(claim.measure, Statistic):
@@ -87,7 +86,7 @@ def fingerprints(
         chosen = _distance(own, evidence)
         distances = [
             (other.reading.name, _distance([other.claims[p] for p in positions], other.evidence))
-            for other in varied
+            for other in others
             if any(_cells(other.claims[p]) & other.changed for p in positions)
         ]
         found.append(
