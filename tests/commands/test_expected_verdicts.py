@@ -90,8 +90,12 @@ def test_table_counts_verdicts_and_repeats_by_paper() -> None:
 
 def test_file_that_is_no_list_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "list.csv"
-    path.write_text("a,b\n1,2\n")
+    for text, line in (("", 1), ("a,b\n1,2\n", 1), (f"{','.join(COLUMNS)}\n1,2\n", 2)):
+        path.write_text(text)
 
-    with pytest.raises(InputError, match="is no list of verdicts"):
+        with pytest.raises(InputError, match=f"list.csv, line {line}, is no row of verdicts"):
+            expected_rows(path)
+    path.write_bytes(b"\xff\xfe")
+    with pytest.raises(InputError, match="list.csv cannot be read"):
         expected_rows(path)
     assert expected_rows(tmp_path / "none.csv") is None
