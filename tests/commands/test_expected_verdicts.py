@@ -96,6 +96,6 @@ def test_file_that_is_no_list_is_refused(tmp_path: Path) -> None:
         with pytest.raises(InputError, match=f"list.csv, line {line}, is no row of verdicts"):
             expected_rows(path)
     path.write_bytes(b"\xff\xfe")
-    with pytest.raises(InputError, match="list.csv cannot be read"):
+    with pytest.raises(InputError, match=r"list.csv cannot be read"):
         expected_rows(path)
     assert expected_rows(tmp_path / "none.csv") is None
