@@ -16,6 +16,8 @@ nox.options.reuse_venv = "yes"
 
 # one thread per run: the engine itself spreads runs over the cores
 ONE_THREAD = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
+# tests start many processes, which load faster what is compiled once
+TESTING = {**ONE_THREAD, "PYTHONDONTWRITEBYTECODE": ""}
 LOCKS = {
     "run": [],
     "test": ["test"],
@@ -87,14 +89,14 @@ def again(session: nox.Session) -> None:
 def tests(session: nox.Session) -> None:
     """Run the tests, a full-size re-run of the papers' protocols among them."""
     _install(session, "test")
-    session.run("pytest", "-m", "not browser and not cluster", *session.posargs, env=ONE_THREAD)
+    session.run("pytest", "-m", "not browser and not cluster", *session.posargs, env=TESTING)
 
 
 @nox.session
 def browser(session: nox.Session) -> None:
     """Look at the pages in Chromium: by mouse, by keyboard, without script, on a phone, printed."""
     _install(session, "browser")
-    environment = {**ONE_THREAD, "REPRO_BROWSER": _chromium(session)}
+    environment = {**TESTING, "REPRO_BROWSER": _chromium(session)}
     session.run("pytest", "-m", "browser", *session.posargs, env=environment)
 
 
@@ -102,7 +104,7 @@ def browser(session: nox.Session) -> None:
 def faults(session: nox.Session) -> None:
     """Kill, damage and misuse everything, at length: what `tests` does in short."""
     _install(session, "test")
-    environment = {**ONE_THREAD, "REPRO_FAULTS": "long", "HYPOTHESIS_PROFILE": "faults"}
+    environment = {**TESTING, "REPRO_FAULTS": "long", "HYPOTHESIS_PROFILE": "faults"}
     session.run("pytest", "-m", "faults", *session.posargs, env=environment)
     try:
         session.install("atheris>=2.3")  # no wheel for every Python and system
@@ -120,7 +122,7 @@ def faults(session: nox.Session) -> None:
 def fuzz(session: nox.Session) -> None:
     """Run the property-based tests with many more examples."""
     _install(session, "test")
-    environment = {**ONE_THREAD, "HYPOTHESIS_PROFILE": "fuzz"}
+    environment = {**TESTING, "HYPOTHESIS_PROFILE": "fuzz"}
     kinds = "not browser and not full_size and not cluster"
     session.run("pytest", "-m", kinds, *session.posargs, env=environment)
 
