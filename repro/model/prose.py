@@ -1,10 +1,11 @@
 """The prose of a paper, read from the TOML beside its module: the one file that this room opens."""
 
 import tomllib
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import MISSING, dataclass, fields, replace
 from inspect import cleandoc
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, TypeVar
 
 from repro.errors import DeclarationError
@@ -50,8 +51,10 @@ class Prose:
         unbound = dict(changes)
         assumptions = tuple(_assumption(self.place, entry, unbound) for entry in self.assumptions)
         if unbound:
+            alternatives = (each for own in assumptions for each in own.alternatives)
+            known = ", ".join(repr(each.name) for each in alternatives if each.name)
             names = ", ".join(map(repr, unbound))
-            message = f"{self.place}: changes without an alternative of that name: {names}"
+            message = f"{self.place}: changes of {names}, which no alternative is; there is {known}"
             raise DeclarationError(message)
         return Paper(
             key=self.key,
@@ -84,45 +87,95 @@ def prose(module: str) -> Prose:
         known = ", ".join((*_TEXTS, *_LISTS))
         message = f"{place}: {', '.join(sorted(unknown))} means nothing here; known: {known}"
         raise DeclarationError(message)
-    lists = {name: tuple(content.get(name, ())) for name in _LISTS}
+    lists = {name: _entries(content.get(name, []), f"{place}, {name}") for name in _LISTS}
     return Prose(
         place=place,
         key=key,
         source=_made(Source, content.get("source", {}), f"{place}, source"),
-        summary=content.get("summary", ""),
-        together=tuple(content.get("together", ())),
+        summary=_text(content.get("summary"), f"{place}, summary"),
+        together=tuple(_texts(content.get("together", []), f"{place}, together")),
         assumptions=lists["assumption"],
-        errata=tuple(_made(Erratum, entry, f"{place}, erratum") for entry in lists["erratum"]),
-        gaps=dict(_gap(place, entry) for entry in lists["gap"]),
-        formulas=tuple(_formula(place, entry) for entry in lists["formula"]),
+        errata=tuple(
+            _made(Erratum, each, f"{place}, erratum {k}") for k, each in _counted(lists["erratum"])
+        ),
+        gaps=_gaps(lists["gap"], place),
+        formulas=tuple(
+            _formula(each, f"{place}, formula {k}") for k, each in _counted(lists["formula"])
+        ),
     )
 
 
-def _gap(place: str, entry: Entry) -> tuple[str, Gap]:
-    gap = _made(Gap, {k: v for k, v in entry.items() if k != "name"}, f"{place}, gap")
-    return entry.get("name", gap.what), gap
+def _entries(found: object, place: str) -> tuple[Entry, ...]:
+    """Return the tables of a list; DeclarationError for what is no list of tables."""
+    if not isinstance(found, list) or not all(isinstance(each, dict) for each in found):
+        message = f"{place} is no list of tables: write [[{place.rpartition(' ')[2]}]] for each"
+        raise DeclarationError(message)
+    return tuple(found)
 
 
-def _formula(place: str, entry: Entry) -> Formula:
+def _texts(found: object, place: str) -> list[str]:
+    if not isinstance(found, list):
+        message = f"{place} is {found!r}, not a list of names"
+        raise DeclarationError(message)
+    return [_text(each, place) for each in found]
+
+
+def _text(found: object, place: str) -> str:
+    if not isinstance(found, str) or not found.strip():
+        message = f"{place} is {'not there' if found is None else repr(found)}: it must be a text"
+        raise DeclarationError(message)
+    return found
+
+
+def _counted(entries: tuple[Entry, ...]) -> Iterator[tuple[int, Entry]]:
+    return enumerate(entries, start=1)
+
+
+def _gaps(entries: tuple[Entry, ...], place: str) -> dict[str, Gap]:
+    found: dict[str, Gap] = {}
+    for k, entry in _counted(entries):
+        own = {name: value for name, value in entry.items() if name != "name"}
+        gap = _made(Gap, own, f"{place}, gap {k}")
+        name = entry.get("name", gap.what)
+        if name in found:
+            message = f"{place}, gap {k}: another gap is called {name!r} too"
+            raise DeclarationError(message)
+        found[name] = gap
+    return found
+
+
+def _formula(entry: Entry, place: str) -> Formula:
     """Return a formula; its LaTeX is indented in the file alone."""
-    latex = cleandoc(entry.get("latex", ""))
-    return _made(Formula, {**entry, "latex": latex}, f"{place}, formula")
+    made = _made(Formula, entry, place)
+    return replace(made, latex=cleandoc(made.latex))
 
 
 def _assumption(place: str, entry: Entry, unbound: dict[str, Entry]) -> Assumption:
     """Return an assumption with its alternatives; take what they change out of `unbound`."""
     where = f"{place}, assumption {entry.get('what', '')!r}"
     alternatives = tuple(
-        _made(Alternative, {**each, **unbound.pop(each.get("name", ""), {})}, where)
-        for each in entry.get("or", ())
+        _made(Alternative, each, f"{where}, alternative {k}", unbound.pop(each.get("name", ""), {}))
+        for k, each in _counted(_entries(entry.get("or", []), f"{where}, or"))
     )
     own = {name: value for name, value in entry.items() if name != "or"}
-    return _made(Assumption, {**own, "alternatives": alternatives}, where)
+    return _made(Assumption, own, where, {"alternatives": alternatives})
 
 
-def _made(kind: type[T], fields: Entry, place: str) -> T:
-    try:
-        return kind(**fields)
-    except TypeError as error:
-        message = f"{place}: {str(error).partition('() ')[2] or error}"
-        raise DeclarationError(message) from None
+def _made(kind: type[T], entry: Entry, place: str, besides: Entry = MappingProxyType({})) -> T:
+    """Return a declaration made of an entry of texts, and of what the module has besides."""
+    known = {each.name: each for each in fields(kind)}  # type: ignore[arg-type]
+    said = {**entry, **besides}
+    strange = [name for name in said if name not in known]
+    lacking = [
+        name
+        for name, each in known.items()
+        if name not in said and each.default is MISSING and each.default_factory is MISSING
+    ]
+    for names, fault in ((strange, "means nothing here"), (lacking, "is missing")):
+        if names:
+            message = f"{place}: {', '.join(map(repr, names))} {fault}; it has {', '.join(known)}"
+            raise DeclarationError(message)
+    for name, value in entry.items():
+        if name != "year" or not isinstance(value, int):
+            _text(value, f"{place}, {name}")
+    return kind(**said)
