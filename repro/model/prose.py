@@ -87,11 +87,12 @@ def prose(module: str) -> Prose:
         known = ", ".join((*_TEXTS, *_LISTS))
         message = f"{place}: {', '.join(sorted(unknown))} means nothing here; known: {known}"
         raise DeclarationError(message)
+    (source,) = _entries([content.get("source", {})], f"{place}, source")
     lists = {name: _entries(content.get(name, []), f"{place}, {name}") for name in _LISTS}
     return Prose(
         place=place,
         key=key,
-        source=_made(Source, content.get("source", {}), f"{place}, source"),
+        source=_made(Source, source, f"{place}, source"),
         summary=_text(content.get("summary"), f"{place}, summary"),
         together=tuple(_texts(content.get("together", []), f"{place}, together")),
         assumptions=lists["assumption"],
@@ -106,9 +107,10 @@ def prose(module: str) -> Prose:
 
 
 def _entries(found: object, place: str) -> tuple[Entry, ...]:
-    """Return the tables of a list; DeclarationError for what is no list of tables."""
+    """Return the tables of a list; DeclarationError for what is none."""
     if not isinstance(found, list) or not all(isinstance(each, dict) for each in found):
-        message = f"{place} is no list of tables: write [[{place.rpartition(' ')[2]}]] for each"
+        name = place.rpartition(" ")[2]
+        message = f"{place} is no table: write [{name}] for one, [[{name}]] for each of several"
         raise DeclarationError(message)
     return tuple(found)
 
@@ -136,7 +138,7 @@ def _gaps(entries: tuple[Entry, ...], place: str) -> dict[str, Gap]:
     for k, entry in _counted(entries):
         own = {name: value for name, value in entry.items() if name != "name"}
         gap = _made(Gap, own, f"{place}, gap {k}")
-        name = entry.get("name", gap.what)
+        name = _text(entry.get("name", gap.what), f"{place}, gap {k}, name")
         if name in found:
             message = f"{place}, gap {k}: another gap is called {name!r} too"
             raise DeclarationError(message)
@@ -154,7 +156,9 @@ def _assumption(place: str, entry: Entry, unbound: dict[str, Entry]) -> Assumpti
     """Return an assumption with its alternatives; take what they change out of `unbound`."""
     where = f"{place}, assumption {entry.get('what', '')!r}"
     alternatives = tuple(
-        _made(Alternative, each, f"{where}, alternative {k}", unbound.pop(each.get("name", ""), {}))
+        _made(
+            Alternative, each, f"{where}, alternative {k}", unbound.pop(str(each.get("name")), {})
+        )
         for k, each in _counted(_entries(entry.get("or", []), f"{where}, or"))
     )
     own = {name: value for name, value in entry.items() if name != "or"}

@@ -113,7 +113,9 @@ def test_gap_is_found_by_its_name_and_another_is_refused_with_those_that_there_a
         ('authors = "Jane Doe"', "authors = 4", r"doe2021.toml, source, authors is 4: it must be"),
         ('says = "a third"', 'say = "a third"', r"'width', alternative 2: 'say' means nothing he"),
         ('says = "a third"', 'says = " "', r"alternative 2, says is ' ': it must be a text"),
-        ("[[gap]]", "[gap]", r"doe2021.toml, gap is no list of tables: write \[\[gap\]\] for each"),
+        ('name = "speed"', 'name = ["speed"]', r"gap 1, name is \['speed'\]: it must be a text"),
+        ('name = "wider"', 'name = ["wider"]', r"alternative 1, name is \['wider'\]: it must be a"),
+        ("[[gap]]", "[gap]", r"gap is no table: write \[gap\] for one, \[\[gap\]\] for"),
         (
             "[[gap]]",
             '[[gap]]\nname = "speed"\nwhat = "w"\nwhere = "p"\nbecause = "b"\n[[gap]]',
@@ -159,3 +161,10 @@ def test_readings_of_woa_change_it_wherever_it_runs_and_nothing_else() -> None:
     }
     assert everywhere([EXPERIMENT], "nobody", {}) == {}
     assert len(woa_readings([EXPERIMENT])) == 5
+
+
+def test_a_source_that_is_no_table_is_refused(tmp_path: Path) -> None:
+    text = 'source = "Bowls"\nsummary = "A bowl has a bottom."'
+
+    with pytest.raises(DeclarationError, match=r"doe2021.toml, source is no table: write \[source"):
+        prose(module(tmp_path, text))
