@@ -343,7 +343,7 @@ CHANGES: dict[str, dict[str, object]] = {
     "200 intervals": every(intervals=200),
     "population of 50": {"protocol": {e.name: {"population": 50} for e in EXPERIMENTS}},
     "1000 iterations": {"protocol": {e.name: {"iterations": 1000} for e in EXPERIMENTS}},
-    **woa_readings(EXPERIMENTS, "WOA by its equations", "WOA by its equations, vectors",
+    **woa_readings(EXPERIMENTS, "WOA by its equations, numbers", "WOA by its equations, vectors",
                    "reflection", "new places"),
     "GA with blended genes": {"algorithms": everywhere(EXPERIMENTS, "GA", {"mixing": "blend"})},
     "GA with one-point crossover": {
