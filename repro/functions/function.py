@@ -19,7 +19,8 @@ class Function:
     `box` holds (lower, upper) per coordinate, one pair for all coordinates where the dimension
     is free; `at` holds one minimiser in the same way. `minimum` is the true minimum in exact
     arithmetic. A kernel that `needs_room` writes n numbers of its own into its second argument, so
-    that the loop with the sines is one that vectorises, and the sum keeps its order.
+    that the loop with the sines is one that vectorises, and the sum keeps its order. `cancels` is
+    the size of the terms that cancel at the minimum: a fixed part, and one per coordinate.
     """
 
     name: str
@@ -31,6 +32,7 @@ class Function:
     source: str
     fixed_dimension: int | None = None
     needs_room: bool = False
+    cancels: tuple[float, float] = (0.0, 0.0)
 
     def __call__(self, x: Vector) -> float:
         """Return the value at one point of shape (n,)."""
@@ -88,6 +90,13 @@ class BenchmarkProblem:
     def scratch(self) -> int:
         """How many numbers at the start of the data the cost writes over."""
         return self.dimension if self.function.needs_room else 0
+
+    @property
+    def step(self) -> float:
+        """How far apart doubles stand where the cost adds up to its minimum; 0 about a bare 0."""
+        fixed, each = self.function.cancels
+        size = max(abs(self.function.minimum), fixed + each * self.dimension)
+        return float(np.spacing(size)) if size else 0.0
 
     @property
     def identity(self) -> tuple[object, ...]:

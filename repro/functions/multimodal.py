@@ -58,6 +58,7 @@ rastrigin = Function(
     at=(0.0,),
     source=f"{_YAO}, f9",
     needs_room=True,
+    cancels=(0.0, 10.0),
 )
 ackley = Function(
     name="ackley",
@@ -68,6 +69,7 @@ ackley = Function(
     at=(0.0,),
     source=f"{_YAO}, f10",
     needs_room=True,
+    cancels=(20.0 + math.e, 0.0),
 )
 alpine_1 = Function(
     name="alpine_1",

@@ -1,15 +1,15 @@
 """Claims: one printed number or one sentence, what to measure for it, and what is accepted."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Literal, TypeVar
 
 from repro.errors import DeclarationError
 from repro.model.experiment import Experiment
 from repro.model.measures.measure import Measure, Rank, Statistic
 from repro.model.measures.ranks import Contest
 from repro.model.open_points import Gap
-from repro.model.tolerances import Between, Tolerance
+from repro.model.tolerances import Between, FromMinimum, Tolerance
 from repro.statistics.summary import STATISTICS
 from repro.tables.published import Printed, PublishedTable
 from repro.tables.relations import TableCell
@@ -19,13 +19,20 @@ Role = Literal["problem", "algorithm", "statistic", "quantity"]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CellClaim:
-    """One cell of a printed table."""
+    """One cell of a printed table.
+
+    One with a `gap` is not run: its measure only says what is printed there. What has one `group`
+    counts once in every summary; what does not count (`counts`) is an input, or true by definition.
+    """
 
     table: PublishedTable
     row: str
     column: str
-    measure: Measure
+    measure: Measure | None
     accepted: Tolerance
+    gap: Gap | None = None
+    group: str = ""
+    counts: bool = True
 
     @property
     def printed(self) -> Printed:
@@ -54,6 +61,7 @@ class Sentence:
 
     A statement that is made `in_words` prints no number: `printed` then holds the unit and the
     number that its declared reading comes closest to, and the pages do not show it as printed.
+    `group` and `counts` are as of a cell.
     """
 
     claim: str
@@ -63,6 +71,8 @@ class Sentence:
     accepted: Tolerance
     gap: Gap | None = None
     in_words: bool = False
+    group: str = ""
+    counts: bool = True
 
     def __post_init__(self) -> None:
         """Raise DeclarationError unless there is either a measure or a gap."""
@@ -77,6 +87,17 @@ class Sentence:
 
 
 Claim = CellClaim | Sentence
+AnyClaim = TypeVar("AnyClaim", CellClaim, Sentence, Claim)
+
+
+def as_one(group: str, claims: Iterable[AnyClaim]) -> tuple[AnyClaim, ...]:
+    """Return the claims as one result: every summary counts them once, under that name."""
+    return tuple(replace(claim, group=group) for claim in claims)
+
+
+def not_counted(claims: Iterable[AnyClaim]) -> tuple[AnyClaim, ...]:
+    """Return the claims as ones that are shown only: inputs, and what is true by definition."""
+    return tuple(replace(claim, counts=False) for claim in claims)
 
 
 def every_cell(
@@ -90,28 +111,38 @@ def every_cell(
     given: Mapping[Role, str] | None = None,
     names: Mapping[str, str] | None = None,
     only: tuple[str, ...] | None = None,
+    without: Mapping[str, Gap] | None = None,
 ) -> tuple[CellClaim, ...]:
     """Return a claim on the statistic that each cell prints.
 
     `rows` says what each row heading names, `columns` what the column heading names, `given` what
-    neither names, `names` translates a printed heading; `only` keeps some row names. Raises
-    DeclarationError where a heading names nothing that the experiment has.
+    neither names, `names` translates a printed heading; `only` keeps some row names. A cell where
+    any of its names is in `without` is left to that gap. Raises DeclarationError where a heading
+    names nothing that the experiment has.
     """
     if len(rows) != len(table.headings):
         message = f"{table.label} has the row headings {table.headings}, not one per {rows}"
         raise DeclarationError(message)
     claims = []
+    left = without or {}
     headings_of = dict(zip(table.row_names, table.rows, strict=True))
     for row, column in table.places():
         if only is None or row in only:
             words = dict(given or {})
             for role, word in zip((*rows, columns), (*headings_of[row], column), strict=True):
                 words[role] = (names or {}).get(word, word)
-            measure = _statistic(f"{table.label}, row {row!r}, column {column!r}", of, words)
+            place = f"{table.label}, row {row!r}, column {column!r}"
+            gap = next((left[word] for word in words.values() if word in left), None)
+            measure = _statistic(place, of, words, left=tuple(left))
             accepted = std_within if measure.statistic == "std" and std_within else within
+            if isinstance(accepted, FromMinimum):
+                accepted = accepted.on(of.problems.get(measure.problem), measure.statistic)
             claims.append(
-                CellClaim(table=table, row=row, column=column, measure=measure, accepted=accepted)
-            )
+                CellClaim(
+                    table=table, row=row, column=column, measure=measure, accepted=accepted,
+                    gap=gap, group=gap.what if gap else "",
+                )
+            )  # fmt: skip
     return tuple(claims)
 
 
@@ -175,6 +206,7 @@ def lowest_everywhere(
     return tuple(
         Sentence(
             claim=f"{claim}, on {problem}",
+            group=claim,
             where=where,
             printed=Printed("1", "rank"),
             measure=Rank(
@@ -201,6 +233,7 @@ def ranked(
     return tuple(
         Sentence(
             claim=f"{claim}, on {problem}: place {place}",
+            group=claim,
             where=where,
             printed=Printed(f"{place}", "rank"),
             measure=Rank(
@@ -214,10 +247,12 @@ def ranked(
     )
 
 
-def _statistic(place: str, of: Experiment, words: Mapping[Role, str]) -> Statistic:
+def _statistic(
+    place: str, of: Experiment, words: Mapping[Role, str], *, left: tuple[str, ...] = ()
+) -> Statistic:
     known: dict[Role, tuple[str, ...]] = {
-        "problem": tuple(of.problems),
-        "algorithm": tuple(of.algorithms),
+        "problem": (*of.problems, *left),
+        "algorithm": (*of.algorithms, *left),
         "statistic": tuple(STATISTICS),
     }
     for role, names in known.items():

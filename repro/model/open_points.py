@@ -15,8 +15,12 @@ class Erratum:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Gap:
-    """A result that cannot be re-run from the paper, and what is missing."""
+    """A result that cannot be re-run from the paper, and what is missing.
+
+    One that is about no `result` is shown, and counted nowhere.
+    """
 
     what: str
     where: str
     because: str
+    result: bool = True

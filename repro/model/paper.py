@@ -34,11 +34,14 @@ class Alternative:
     (experiment, algorithm) and `problems` maps (experiment, problem) to what takes its place: an
     object, or the fields to replace. `protocol` maps an experiment to fields of it to replace
     (population, iterations, runs). `claims` take the place of the claims on the same cells or
-    sentences.
+    sentences. `at` is the value of an open setting. It runs as deep as the protocol where
+    `full_depth` says so.
     """
 
     says: str
     name: str = ""
+    at: float | None = None
+    full_depth: bool = False
     algorithms: Mapping[tuple[str, str], Any] = field(default_factory=dict)
     problems: Mapping[tuple[str, str], Any] = field(default_factory=dict)
     protocol: Mapping[str, Mapping[str, int]] = field(default_factory=dict)
@@ -57,13 +60,19 @@ class Alternative:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Assumption:
-    """A value or rule that the paper leaves open: what we chose, among what, and why."""
+    """A value or rule that the paper leaves open: what we chose, among what, and why.
+
+    `open` says that nothing in the paper narrows it down: the alternatives are then points of the
+    range that is tried, and `at` is the value chosen, where the setting is a number.
+    """
 
     what: str
     chosen: str
     alternatives: tuple[Alternative, ...]
     because: str
     where: str
+    open: bool = False
+    at: float | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -194,7 +203,7 @@ class Paper:
             for algorithm in e.algorithms
         }
         for claim in self.claims:
-            for cell in claim.measure.cells() if claim.measure else ():
+            for cell in claim.measure.cells() if claim.measure and not claim.gap else ():
                 if cell not in known:
                     place = claim.where if isinstance(claim, CellClaim) else claim.claim
                     names = ", ".join(sorted({name for name, *_ in known}))

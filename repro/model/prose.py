@@ -16,6 +16,15 @@ T = TypeVar("T")
 Entry = Mapping[str, Any]
 _LISTS = ("assumption", "erratum", "gap", "formula")
 _TEXTS = ("summary", "together", "source")
+_NO_TEXTS: Mapping[str, tuple[type, ...]] = MappingProxyType(
+    {
+        "year": (int, str),
+        "at": (int, float),
+        "open": (bool,),
+        "full_depth": (bool,),
+        "result": (bool,),
+    }
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -180,6 +189,11 @@ def _made(kind: type[T], entry: Entry, place: str, besides: Entry = MappingProxy
             message = f"{place}: {', '.join(map(repr, names))} {fault}; it has {', '.join(known)}"
             raise DeclarationError(message)
     for name, value in entry.items():
-        if name != "year" or not isinstance(value, int):
+        kinds = _NO_TEXTS.get(name)
+        if not kinds:
             _text(value, f"{place}, {name}")
+        elif type(value) not in kinds:
+            allowed = " or ".join(each.__name__ for each in kinds)
+            message = f"{place}, {name} is {value!r}: it must be {allowed}"
+            raise DeclarationError(message)
     return kind(**said)

@@ -1,12 +1,15 @@
 """How far from a printed number a measured one may lie: the band accepted beforehand."""
 
-from dataclasses import dataclass
-from typing import Protocol
+from dataclasses import dataclass, replace
+from typing import Protocol, Self
 
+from repro.functions import BenchmarkProblem
 from repro.tables.published import Printed
-from repro.tables.true_numbers import ZERO_FITNESS
+from repro.tables.true_numbers import ZERO_FITNESS, ZERO_STD
 
 Interval = tuple[float, float]
+STEPS = 10  # of double arithmetic that count as none: sums of 30 terms round by a few
+WHOLE = 0.5  # the rounding of a print without decimals
 
 
 class Tolerance(Protocol):
@@ -97,6 +100,60 @@ class Fitness:
         return (
             f"within {self.percent:g} %, below {self.near_zero:g} within a factor "
             f"{10**self.decades:g}; a printed 0 means below {self.zero:.0e}"
+        )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FromMinimum:
+    """Within a share of the distance from the least cost, for a std of itself.
+
+    Below `solved` the distance counts by decades: the CEC competitions count it as 0 (J. J. Liang
+    et al., Technical Report 201311, Zhengzhou University, 2013). Values that lie ten steps of
+    double arithmetic apart are the same: near its minimum a function can take none between. A 0
+    means what doubles cannot hold, or square; another minimum that is printed without decimals
+    means below `solved`.
+    """
+
+    percent: float = 25.0
+    decades: float = 1.0
+    solved: float = 1e-8
+    minimum: float = 0.0
+    step: float = 0.0
+    zero: float = ZERO_FITNESS
+
+    def on(self, problem: object, statistic: str) -> Self:
+        """Return the tolerance for a statistic of the costs of a problem."""
+        if not isinstance(problem, BenchmarkProblem):
+            return self
+        spread = statistic == "std"
+        return replace(
+            self,
+            minimum=0.0 if spread else problem.function.minimum,
+            step=problem.step,
+            zero=ZERO_STD if spread else ZERO_FITNESS,
+        )
+
+    def band(self, printed: Printed) -> Interval:
+        """Return the accepted band in the printed unit."""
+        distance, steps = printed.value - self.minimum, STEPS * self.step
+        if distance == 0 and (self.minimum == 0 or printed.rounding >= WHOLE):
+            least = self.zero if self.minimum == 0 else self.solved
+            return self.minimum - steps, self.minimum + max(steps, least)
+        if abs(distance) >= self.solved:
+            slack = abs(distance) * self.percent / 100 + printed.rounding + steps
+            return printed.value - slack, printed.value + slack
+        factor = 10.0**self.decades
+        near = max(distance - printed.rounding, 0.0) / factor
+        far = (max(distance, 0.0) + printed.rounding) * factor
+        return self.minimum + near - steps, self.minimum + far + steps
+
+    @property
+    def words(self) -> str:
+        """The tolerance as a phrase."""
+        least = f" (minimum {self.minimum:.7g})" if self.minimum else ""
+        return (
+            f"within {self.percent:g} % of the distance from the minimum{least} and the printed "
+            f"rounding, below {self.solved:g} within a factor {10**self.decades:g}"
         )
 
 
