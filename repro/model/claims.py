@@ -1,5 +1,6 @@
 """Claims: one printed number or one sentence, what to measure for it, and what is accepted."""
 
+import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Literal, TypeVar
@@ -171,6 +172,12 @@ def says_in_words(
     return replace(
         says(claim, where, Printed(*nearest.split()), measure, within=within), in_words=True
     )
+
+
+def left_open(gap: Gap) -> Sentence:
+    """Return what a gap says as a sentence of which nothing is measured."""
+    anything = Between(-math.inf, math.inf)
+    return says_in_words(gap.what, gap.where, "0 rank", gap, within=anything)
 
 
 def computed_cells(
