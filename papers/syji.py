@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 
 from repro.model import (
-    WOA_BY_VECTORS, Absolute, Arm, ArmMotion, Between, CellClaim, Claim, Computed, Convergence,
+    WOA_BY_VECTORS, Arm, ArmMotion, Between, CellClaim, Claim, Computed, Convergence,
     Difference, Experiment, InRange, Less, Motion, MotionReading, Percent, Printed, PublishedTable,
-    Reduction, RoundedOrCut, SameNumbers, Sentence, Sum, TableCell, TextNumber, Tolerance, ToolPath,
+    Reduction, RoundedOrCut, SameNumbers, Sentence, Sum, TableCell, TextNumber, ToolPath,
     as_one, column_cells, computed, computed_cells, equally_spaced, not_counted, prose, runs_of,
     says, says_in_words, woa_readings,
 )  # fmt: skip
@@ -122,11 +122,9 @@ TWO_DECIMALS = RoundedOrCut()  # Table 2 has both: see the assumptions
 KEPT = Between(0, 100.1)  # Table 3 is cut to two decimals, less than 0.1 % of any limit
 
 
-def table_2(
-    derivatives: tuple[int, int, int] = (1, 2, 3), within: Tolerance = TWO_DECIMALS
-) -> tuple[CellClaim, ...]:
-    """Return the claims on Table 2, by the derivatives that its headings are taken to mean."""
-    meant = dict(zip(HEADINGS, derivatives, strict=True))
+def table_2() -> tuple[CellClaim, ...]:
+    """Return the claims on Table 2, by the derivatives that its headings mean."""
+    meant = dict(zip(HEADINGS, DERIVATIVES, strict=True))
 
     def greatest(joint: str, column: str) -> Computed:
         kind, _, order = column.rpartition(" ")
@@ -137,7 +135,7 @@ def table_2(
 
     return tuple(
         replace(claim, group=computation(claim.row, claim.column))
-        for claim in computed_cells(TABLE_2, measure=greatest, within=within)
+        for claim in computed_cells(TABLE_2, measure=greatest, within=TWO_DECIMALS)
     )
 
 
@@ -305,8 +303,6 @@ CLAIMS: dict[str, tuple[Claim, ...]] = {
         saved_under_limits(AT_REST, ALIKE),
     ),
     **{name: shortest(replace(PRINTED, durations=own)) for name, own in RANGES.items()},
-    "acceleration first": table_2((2, 1, 3)),
-    "rounded only": table_2(within=Absolute(0)),
     "passing through": between(PASSING),
     "one polynomial": (*between(ONE), saved_under_limits(ONE)),
     "any curve": WHATEVER_THE_CURVE,

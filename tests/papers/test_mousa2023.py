@@ -2,7 +2,7 @@
 
 import math
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Sequence
 
 import numpy as np
 import pytest
@@ -187,7 +187,7 @@ def test_bounds_about_the_best_coefficients_hold_them_and_leave_room_at_zero(
         assert half[best == 0] == pytest.approx(share * abs(path.end - path.start))
 
 
-def verdicts(claims: Iterable[Claim]) -> dict[str, Verdict]:
+def verdicts(claims: Sequence[Claim]) -> dict[str, Verdict]:
     """Return the verdict of each sentence that needs no run."""
     found = findings_of(claims, evidence_of(PAPER, {}))
     return {str(finding.claim): finding.verdict for finding in found}

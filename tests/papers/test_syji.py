@@ -2,7 +2,7 @@
 
 import math
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -69,7 +69,7 @@ def changed(name: str) -> Alternative:
     return next(each for each in every if each.name == name)
 
 
-def judged(claims: Iterable[Claim]) -> dict[str, Finding]:
+def judged(claims: Sequence[Claim]) -> dict[str, Finding]:
     """Return the finding of each sentence, of which none needs a run here."""
     return {str(found.claim): found for found in findings_of(claims, evidence_of(PAPER, {}))}
 
