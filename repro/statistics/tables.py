@@ -62,25 +62,28 @@ def _beyond(stored: Vector, below: Vector, above: Vector, floor: float) -> tuple
     The excess over an extreme is taken as exponential, with `REACH` times the mean excess of the
     stored runs beyond their median: of the logarithm of the distance from the floor (from 0, where
     none is known), where distances span a decade or more. One run says nothing of how far others
-    lie.
+    lie, and beyond infinity there is nothing.
     """
-    if stored.size < 2:
-        return np.full(below.shape, floor), np.full(above.shape, np.inf)
+    finite = stored[np.isfinite(stored)]
+    least = min(max(floor, 0.0) if stored[0] >= 0.0 else floor, stored[0])
+    if finite.size < 2:
+        return np.full(below.shape, least), np.full(above.shape, np.inf)
     base = floor if np.isfinite(floor) and stored[0] >= floor else 0.0
-    away = stored - base
+    away = finite - base
     if away[0] >= 0.0 and away[-1] > DECADE * away[0]:
         powers = np.log(np.maximum(away, away[away > 0.0][0]))
         low, high = _excesses(powers, below, above)
         with np.errstate(over="ignore"):
-            return base + (np.exp(low) if away[0] > 0.0 else 0.0 * below), base + np.exp(high)
-    low, high = _excesses(stored, below, above)
-    return np.maximum(low, min(floor, stored[0])), high
+            low, high = np.exp(low) * (away[0] > 0.0) + base, np.exp(high) + base
+    else:
+        low, high = _excesses(finite, below, above)
+    return np.maximum(low, least), high if stored[-1] < np.inf else np.full(above.shape, np.inf)
 
 
 def _excesses(values: Vector, below: Vector, above: Vector) -> tuple[Vector, Vector]:
-    half = max(values.size // 2, 1)
+    half = values.size // 2
     middle = float(np.median(values))
-    down, up = middle - values[:half].mean(), values[-half:].mean() - middle
+    down, up = (middle - values[:half]).mean(), (values[-half:] - middle).mean()
     return values[0] - REACH * down * below, values[-1] + REACH * up * above
 
 
