@@ -1,6 +1,6 @@
 import pytest
 
-from repro.judge.turning import Weighed, ReadingOutcome, seeming, turned
+from repro.judge.turning import ReadingOutcome, Weighed, seeming, turned
 from repro.judge.verdict import Verdict
 from repro.model.paper import Alternative, Assumption
 from repro.runs.readings import Reading
