@@ -7,7 +7,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from repro.determinism.compiled import COST, ready
-from repro.determinism.noise import ROOM
 from repro.errors import InputError
 
 Vector = NDArray[np.float64]
@@ -24,9 +23,9 @@ class Function:
     the size of the terms that cancel at the minimum: a fixed part, and one per coordinate. Where
     the function `adds_up` it is a sum of one term a coordinate, and `minimum` is that of one term.
 
-    A kernel whose `noise` is above 0 adds a draw from 0 to below that at every evaluation, from the
-    state at the start of its second argument (see repro.determinism.noise). Where no run put one
-    there it adds nothing, and `minimum` is that without noise.
+    A kernel whose `noise` is above 0 adds a draw from 0 to below that at every evaluation, from a
+    state of `noise_room` numbers at the start of its second argument (see repro.determinism.noise).
+    Where no run put one there it adds nothing, and `minimum` is that without noise.
     """
 
     name: str
@@ -41,6 +40,7 @@ class Function:
     cancels: tuple[float, float] = (0.0, 0.0)
     adds_up: bool = False
     noise: float = 0.0
+    noise_room: int = 0
 
     def __call__(self, x: Vector) -> float:
         """Return the value at one point of shape (n,), without noise."""
@@ -98,7 +98,7 @@ class BenchmarkProblem:
     def scratch(self) -> int:
         """How many numbers at the start of the data the cost writes over."""
         own = self.dimension if self.function.needs_room else 0
-        return own + (ROOM if self.function.noise else 0)
+        return own + self.function.noise_room
 
     @property
     def noise(self) -> float:

@@ -5,7 +5,7 @@ Computation 3(2) (1999) 82-102, doi:10.1109/4235.771163.
 """
 
 from repro.determinism.compiled import jit
-from repro.determinism.noise import noise
+from repro.determinism.noise import ROOM, noise
 from repro.functions.function import Function
 
 
@@ -27,4 +27,5 @@ quartic_noise = Function(
     at=(0.0,),
     source="Yao, Liu & Lin (1999), f7",
     noise=1.0,
+    noise_room=ROOM,
 )
