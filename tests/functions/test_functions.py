@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from repro.determinism.compiled import COST, ready
 from repro.errors import InputError
-from repro.functions import FUNCTIONS, Function
+from repro.functions import FUNCTIONS, Function, classical
 from tests.twins.functions import FORMULAS
 
 # What float64 leaves at a minimiser; the others are exact there.
@@ -71,6 +71,15 @@ def test_there_are_the_classical_functions_alpine_and_the_rounded_step() -> None
     assert len(FUNCTIONS) == 23 + 2
     assert set(FUNCTIONS) == set(FORMULAS)
     assert all(name == function.name for name, function in FUNCTIONS.items())
+
+
+def test_classical_functions_are_numbered_as_their_source_numbers_them() -> None:
+    numbered = classical(7)
+
+    assert list(numbered) == [f"F{k}" for k in range(1, 24)]
+    assert {7} == {p.dimension for p in numbered.values() if not p.function.fixed_dimension}
+    for name, problem in numbered.items():
+        assert name.lower() in problem.function.source.split(", ")
 
 
 @each_function

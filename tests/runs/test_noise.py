@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from repro.determinism.compiled import COST, ready
+from repro.determinism.draws import state_from
 from repro.determinism.noise import ROOM, noise_of_run
 from repro.determinism.seeds import generator
 from repro.determinism.source_digests import _closure
@@ -67,6 +68,12 @@ def test_state_of_the_noise_is_kept_in_numbers_that_doubles_hold_exactly() -> No
     assert state.shape == (ROOM,)
     assert (state == np.floor(state)).all()
     assert ((state >= 0.0) & (state < 2.0**32)).all()
+
+
+def test_noise_is_drawn_by_another_state_than_the_search() -> None:
+    searching = state_from(generator("a run"))
+
+    assert searching[0] >> np.uint64(32) not in noise_of_run("a run").astype(np.uint64)
 
 
 def test_value_of_the_function_and_cost_of_a_point_are_without_noise() -> None:
