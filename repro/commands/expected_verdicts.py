@@ -13,6 +13,7 @@ from typing import Any
 from repro.commands import catalogue
 from repro.errors import InputError
 from repro.judge.verdict import Verdict
+from repro.report.results import verdict_counts
 
 COLUMNS = ("table", "row", "column", "claim", "printed", "verdict", "side", "value", "repeats")
 PLACE, SAID = slice(0, 5), slice(5, 7)
@@ -58,9 +59,13 @@ def _table(entries: Iterable[Mapping[str, Any]]) -> list[str]:
     headings = ("paper", *Verdict, "impossible", "repeats")
     rows = [headings]
     for entry in entries:
-        said = [finding["verdict"] for finding in entry["findings"]]
+        said = verdict_counts(entry)
         impossible = [row for row in entry["audit"] if row["grade"] == "impossible"]
-        counts = (*map(said.count, Verdict), len(impossible), entry["provenance"]["repeats"])
+        counts = (
+            *(said[verdict] for verdict in Verdict),
+            len(impossible),
+            entry["provenance"]["repeats"],
+        )
         rows.append((entry["key"], *map(str, counts)))
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     return [

@@ -40,7 +40,11 @@ def run(options: Namespace) -> int:
         if written.stand(store):
             return [], read_results(options.reports / "results.json")
         failed = _run(store, tasks, options)
-        results = write_pages(store, chosen, tasks, options.reports, known)
+
+        def deeper(more: Sequence[Task]) -> None:
+            failed.extend(_run(store, more, options))
+
+        results = write_pages(store, chosen, tasks, options.reports, known, deeper)
         written.remember(store)
         return failed, results
 

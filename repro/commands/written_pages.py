@@ -1,28 +1,37 @@
 """From a store to pages: what `reproduce` ends with and `report` does alone."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 from repro.judge.judgement import Judgement, judge
+from repro.model.evidence import Cell, Runs
 from repro.model.paper import Paper
 from repro.report.pages import write_report
 from repro.report.results import Json
 from repro.runs.gather import gather
-from repro.runs.plan import Task
+from repro.runs.plan import Task, deeper_tasks
 from repro.runs.store.store import Store
 from repro.runs.studies import studies
 
+Run = Callable[[Sequence[Task]], None]
+
 
 def write_pages(
-    store: Store, chosen: Sequence[Paper], tasks: Sequence[Task], folder: Path, known: Sequence[str]
+    store: Store,
+    chosen: Sequence[Paper],
+    tasks: Sequence[Task],
+    folder: Path,
+    known: Sequence[str],
+    run: Run = lambda _: None,
 ) -> Json:
     """Judge the papers by what the store has of the tasks, write the pages, return the results.
 
-    `known` are the keys of all papers, in their order.
+    `known` are the keys of all papers, in their order. `run` makes the runs that a reading needs
+    besides, before it may turn a verdict; without it the store's are taken.
     """
     own = {paper.key: [task for task in tasks if task.paper == paper.key] for paper in chosen}
     return write_report(
-        (judged(store, paper, own[paper.key]) for paper in chosen),
+        (judged(store, paper, own[paper.key], run) for paper in chosen),
         folder,
         known,
         environments={key: store.environments(tasks) for key, tasks in own.items()},
@@ -30,7 +39,16 @@ def write_pages(
     )
 
 
-def judged(store: Store, paper: Paper, tasks: Sequence[Task]) -> Judgement:
+def judged(
+    store: Store, paper: Paper, tasks: Sequence[Task], run: Run = lambda _: None
+) -> Judgement:
     """Return the judgement of one paper; `tasks` are its own."""
     others = studies(paper, max((task.repeat for task in tasks), default=1))
-    return judge(paper, gather(store, paper, tasks, others), others)
+    seed = tasks[0].seed if tasks else ""
+
+    def fetch(depths: Mapping[Cell, int]) -> Mapping[Cell, Runs]:
+        more = deeper_tasks(paper, others, depths, seed)
+        run(more)
+        return gather(store, paper, more, others).runs
+
+    return judge(paper, gather(store, paper, tasks, others), others, fetch)

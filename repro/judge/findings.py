@@ -1,49 +1,45 @@
 """From evidence to findings: every printed number and claim with interval, band and verdict."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from repro.judge.verdict import Verdict, verdict_of
+from repro.judge.turning import Weighed, ReadingOutcome, turned
+from repro.judge.verdict import Unseen, Verdict, unseen, verdict_of
 from repro.model.claims import CellClaim, Claim
 from repro.model.evidence import Cell, Evidence
-from repro.model.measures.measure import Measure, Measured
-from repro.model.tolerances import Interval
+from repro.model.measures.measure import Measured
+from repro.model.tolerances import FromMinimum, Interval
 from repro.runs.readings import Reading
 from repro.statistics.tables import quantile_interval
 from repro.tables.published import UNITS
 
 LEVEL = 0.95
 PROVISIONAL = "provisional: one repeat only"
+EXTREME = "one repeat only: no extreme is contradicted by so few runs"
 IN_WORDS = "in words"
-FLIPS = "the odd and the even repeats come to opposite verdicts"
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ReadingOutcome:
-    """What becomes of a number under another reading of the paper, by the reading's name."""
-
-    reading: str
-    measured: Interval
-    verdict: Verdict
-    side: str | None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class EvidenceUnder:
     """The evidence under a reading of the paper, with its claims in the order of the paper's.
 
-    `changed` are the cells whose runs are not the paper's.
+    `changed` are the cells whose runs are not the paper's, by the names under which they were run.
     """
 
     reading: Reading
     claims: tuple[Claim, ...]
     evidence: Evidence
-    changed: frozenset[Cell]
+    changed: dict[Cell, Cell]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Finding:
-    """What is said of one printed number or sentence; numbers are in the printed unit."""
+    """What is said of one printed number or sentence; numbers are in the printed unit.
+
+    Findings of one `group` count once, those of none are not counted. `turns_on` names readings
+    and settings that turn the verdict, `unseen` is the factor by which a consistent number could be
+    off.
+    """
 
     table: str | None
     row: str | None
@@ -62,62 +58,83 @@ class Finding:
     repeats: int = 0
     measure: str = ""
     tolerance: str = ""
+    group: str | None = None
+    unseen: Unseen | None = None
+    turns_on: tuple[str, ...] = ()
     readings: tuple[ReadingOutcome, ...] = ()
 
 
 def findings_of(
-    claims: Iterable[Claim], evidence: Evidence, others: Sequence[EvidenceUnder] = ()
+    claims: Sequence[Claim], evidence: Evidence, others: Sequence[EvidenceUnder] = ()
 ) -> tuple[Finding, ...]:
     """Return one finding per claim, in the order of declaration.
 
-    A contradicted number is judged again under every other reading that bears on it.
+    Every number that is run is judged under every reading that bears on it, too.
     """
-    findings = []
-    for position, claim in enumerate(claims):
-        finding = judged(claim, evidence)
-        if finding.verdict is Verdict.CONTRADICTED:
-            finding = replace(finding, readings=_readings(position, claim, others))
-        findings.append(finding)
-    return tuple(findings)
+    return tuple(
+        _under_all(position, claim, evidence, others) for position, claim in enumerate(claims)
+    )
 
 
-def _readings(
-    position: int, own: Claim, others: Sequence[EvidenceUnder]
-) -> tuple[ReadingOutcome, ...]:
+def bears(position: int, own: Claim, other: EvidenceUnder) -> bool:
+    """Return whether a reading makes anything else of the claim at that position."""
+    claim = other.claims[position]
+    cells = claim.measure.cells() if claim.measure else ()
+    return claim is not own or not other.changed.keys().isdisjoint(cells)
+
+
+def _under_all(
+    position: int, claim: Claim, evidence: Evidence, others: Sequence[EvidenceUnder]
+) -> Finding:
+    own, outcome = judged(claim, evidence)
+    if outcome is None:
+        return own
     outcomes = []
     for other in others:
-        claim = other.claims[position]
-        cells = claim.measure.cells() if claim.measure else ()
-        if claim is own and other.changed.isdisjoint(cells):
-            continue
-        finding = judged(claim, other.evidence, halves=False)
-        if finding.measured is not None:
-            outcomes.append(
-                ReadingOutcome(
-                    reading=other.reading.name,
-                    measured=finding.measured,
-                    verdict=finding.verdict,
-                    side=finding.side,
-                )
-            )
-    return tuple(outcomes)
+        if bears(position, claim, other):
+            _, found = judged(other.claims[position], other.evidence, reading=other.reading)
+            if found:
+                outcomes.append(found)
+    turns_on = turned(outcome, outcomes)
+    shown = tuple(other.shown for other in outcomes)
+    if not turns_on:
+        return replace(own, readings=shown)
+    return replace(
+        own, verdict=Verdict.DEPENDS, side=None, unseen=None, turns_on=turns_on, readings=shown
+    )
 
 
-def judged(claim: Claim, evidence: Evidence, *, halves: bool = True) -> Finding:
-    """Return what is said of one claim; `halves` of the repeats must then agree."""
-    if claim.measure is None:
+def judged(
+    claim: Claim, evidence: Evidence, *, reading: Reading | None = None
+) -> tuple[Finding, Weighed | None]:
+    """Return what is said of one claim, and how sure that is; None where nothing is measured."""
+    if claim.gap or claim.measure is None:
         why = claim.gap.because if claim.gap else ""
-        return _unsaid(claim, Verdict.NOT_REPRODUCIBLE, note=why)
+        return _unsaid(claim, Verdict.NOT_REPRODUCIBLE, note=why), None
     absent = [cell for cell in claim.measure.cells() if cell not in evidence.runs]
     if absent:
         names = ", ".join("/".join(cell) for cell in absent)
-        return _unsaid(claim, Verdict.NOT_RUN, note=f"no whole repeat of {names}")
+        return _unsaid(claim, Verdict.NOT_RUN, note=f"no whole repeat of {names}"), None
     measured = claim.measure.measure(evidence)
-    interval = _interval(claim, measured)
-    verdict, side = verdict_of(interval, claim.accepted.band(claim.printed))
+    found = _found(claim, measured)
+    shown = ReadingOutcome(
+        reading=reading.name if reading else "",
+        verdict=found.verdict,
+        side=found.side,
+        measured=_interval(claim, measured),
+        repeats=measured.repeats,
+    )
+    return found, Weighed(shown=shown, reading=reading, p=_p_value(claim, measured))
+
+
+def _found(claim: Claim, measured: Measured) -> Finding:
+    interval, accepted = _interval(claim, measured), claim.accepted.band(claim.printed)
+    verdict, side = verdict_of(interval, _printed(claim), accepted)
     note = PROVISIONAL if measured.repeats == 1 else ""
-    if halves and _flips(claim.measure, claim, evidence):
-        verdict, side, note = Verdict.UNDECIDED, None, FLIPS
+    if measured.repeats == 1 and measured.extreme and verdict is Verdict.CONTRADICTED:
+        verdict, side, note = Verdict.UNDECIDED, None, EXTREME
+    minimum = claim.accepted.minimum if isinstance(claim.accepted, FromMinimum) else 0.0
+    consistent = verdict is Verdict.CONSISTENT
     return replace(
         _unsaid(claim, verdict, note=note),
         measured=interval,
@@ -125,11 +142,20 @@ def judged(claim: Claim, evidence: Evidence, *, halves: bool = True) -> Finding:
         side=side,
         quantile=_quantile(claim, measured) if measured.repeats and not _in_words(claim) else None,
         repeats=measured.repeats,
+        unseen=unseen(interval, claim.printed.value, minimum) if consistent else None,
     )
 
 
 def _in_words(claim: Claim) -> bool:
     return not isinstance(claim, CellClaim) and claim.in_words
+
+
+def _printed(claim: Claim) -> Interval:
+    """Return the number with its rounding; of a sentence without one, all that it accepts."""
+    if _in_words(claim):
+        return claim.accepted.band(claim.printed)
+    printed = claim.printed
+    return printed.value - printed.rounding, printed.value + printed.rounding
 
 
 def _interval(claim: Claim, measured: Measured) -> Interval:
@@ -139,21 +165,15 @@ def _interval(claim: Claim, measured: Measured) -> Interval:
     return low / factor, high / factor
 
 
-def _flips(measure: Measure, claim: Claim, evidence: Evidence) -> bool:
-    """Return whether the odd and the even repeats, judged alone, come to opposite verdicts."""
-    cells = measure.cells()
-    if not cells or any(len(evidence.runs[cell].costs) < 2 for cell in cells):
-        return False
-    accepted = claim.accepted.band(claim.printed)
-    verdicts = {
-        verdict_of(_interval(claim, measure.measure(half)), accepted) for half in evidence.halves()
-    }
-    decided = {pair for pair in verdicts if pair[0] is not Verdict.UNDECIDED}
-    return len(decided) > 1
+def _p_value(claim: Claim, measured: Measured) -> float:
+    """Return the two-sided chance of a table that is in the accepted band or beyond it."""
+    low, high = (end * UNITS[claim.printed.unit] for end in claim.accepted.band(claim.printed))
+    shares = (measured.draws >= low).mean(), (measured.draws <= high).mean()
+    return min(1.0, 2.0 * float(min(shares)))
 
 
 def _quantile(claim: Claim, measured: Measured) -> float:
-    """Return the share of resampled tables below the printed value, ties counted as half."""
+    """Return the share of tables below the printed value, ties counted as half."""
     printed = claim.printed.si
     below = (measured.draws < printed).mean()
     return float(below + 0.5 * (measured.draws == printed).mean())
@@ -162,11 +182,13 @@ def _quantile(claim: Claim, measured: Measured) -> float:
 def _unsaid(claim: Claim, verdict: Verdict, *, note: str = "") -> Finding:
     """Return a finding that names the claim and measures nothing."""
     table, row, column = claim.place or (None, None, None)
+    sentence = None if isinstance(claim, CellClaim) else claim.claim
+    own = claim.group or sentence or ", ".join(claim.place or ())
     return Finding(
         table=table,
         row=row,
         column=column,
-        claim=None if isinstance(claim, CellClaim) else claim.claim,
+        claim=sentence,
         where=claim.where,
         printed=IN_WORDS if _in_words(claim) else claim.printed.text,
         unit=claim.printed.unit,
@@ -178,4 +200,5 @@ def _unsaid(claim: Claim, verdict: Verdict, *, note: str = "") -> Finding:
         note=note,
         measure=claim.measure.words if claim.measure else "",
         tolerance=claim.accepted.words,
+        group=own if claim.counts else None,
     )

@@ -7,8 +7,9 @@ from repro.audit import AuditRow, audit
 from repro.judge.beside_baselines import ExperimentStandings, paper_standings
 from repro.judge.centre_bias import CentreBias, centre_biases
 from repro.judge.certificates import Certificate, certify
+from repro.judge.deepening import Fetch, deepened
 from repro.judge.findings import EvidenceUnder, Finding, findings_of
-from repro.judge.other_readings import Print, evidence_under_readings, fingerprints
+from repro.judge.other_readings import Print, fingerprints
 from repro.judge.rank_tests import AlgorithmTests, algorithm_tests
 from repro.judge.times_found import FoundTime, found_times
 from repro.model.evidence import Evidence
@@ -46,14 +47,22 @@ class Judgement:
         return max((len(cell.costs) for cell in self.evidence.runs.values()), default=0)
 
 
-def judge(paper: Paper, evidence: Evidence, studies: Sequence[Study] = ()) -> Judgement:
-    """Return what the evidence says of the paper; `studies` are what was to be run besides."""
-    readings = evidence_under_readings(paper, evidence)
+def judge(
+    paper: Paper,
+    evidence: Evidence,
+    studies: Sequence[Study] = (),
+    fetch: Fetch = lambda _: {},
+) -> Judgement:
+    """Return what the evidence says of the paper; `studies` are what was to be run besides.
+
+    `fetch` gives more runs of readings that seem to turn a verdict.
+    """
+    evidence, readings = deepened(paper, evidence, fetch)
     certificates = certify(paper)
     return Judgement(
         paper=paper,
         evidence=evidence,
-        findings=findings_of(paper.claims, evidence, readings),
+        findings=findings_of(paper.said, evidence, readings),
         readings=readings,
         prints=fingerprints(paper.claims, evidence, readings),
         audit=audit(paper),

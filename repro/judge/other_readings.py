@@ -1,14 +1,13 @@
 """What the runs under other readings of a paper say of its numbers."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from repro.judge.findings import EvidenceUnder, Finding
-from repro.judge.verdict import Verdict
+from repro.judge.findings import EvidenceUnder
 from repro.model.claims import CellClaim, Claim
-from repro.model.evidence import Cell, Evidence, Runs
+from repro.model.evidence import Cell, Evidence
 from repro.model.measures.measure import Statistic
 from repro.model.paper import Paper
 from repro.runs.readings import Reading, applied, changed_part, claims_under, readings
@@ -19,15 +18,31 @@ FARTHEST = 400.0  # decades: farther than any two positive doubles, for a 0 agai
 AS_CHOSEN = "as chosen"
 
 
-def evidence_under_readings(paper: Paper, evidence: Evidence) -> tuple[EvidenceUnder, ...]:
-    """Return the evidence under each reading of the paper whose runs are all there."""
-    found = (_under(paper, evidence, reading) for reading in readings(paper))
+def evidence_under_readings(
+    paper: Paper,
+    evidence: Evidence,
+    *,
+    before: Sequence[EvidenceUnder] = (),
+    grown: Collection[Cell] = (),
+) -> tuple[EvidenceUnder, ...]:
+    """Return the evidence under each reading of the paper whose runs are all there.
+
+    What was found `before` stays where none of its cells is among those that have `grown`.
+    """
+    kept = {
+        under.reading.name: under
+        for under in before
+        if not any(cell in grown for cell in under.changed.values())
+    }
+    found = (
+        kept.get(reading.name) or _under(paper, evidence, reading) for reading in readings(paper)
+    )
     return tuple(under for under in found if under)
 
 
 def _under(paper: Paper, evidence: Evidence, reading: Reading) -> EvidenceUnder | None:
     experiments = []
-    runs: dict[Cell, Runs] = {}
+    changed: dict[Cell, Cell] = {}
     for experiment in paper.experiments:
         part = changed_part(experiment, reading)
         if part is None:
@@ -38,12 +53,13 @@ def _under(paper: Paper, evidence: Evidence, reading: Reading) -> EvidenceUnder 
             for algorithm in part.algorithms:
                 if (name, problem, algorithm) not in evidence.runs:
                     return None
-                runs[experiment.name, problem, algorithm] = evidence.runs[name, problem, algorithm]
+                changed[experiment.name, problem, algorithm] = name, problem, algorithm
+    runs = {cell: evidence.runs[run_as] for cell, run_as in changed.items()}
     return EvidenceUnder(
         reading=reading,
         claims=claims_under(paper, reading),
         evidence=evidence.under(experiments, runs),
-        changed=frozenset(runs),
+        changed=changed,
     )
 
 
@@ -78,7 +94,7 @@ def fingerprints(
     """
     columns: dict[tuple[str, str], list[int]] = {}
     for position, claim in enumerate(claims):
-        if isinstance(claim, CellClaim) and isinstance(claim.measure, Statistic):
+        if isinstance(claim, CellClaim) and isinstance(claim.measure, Statistic) and not claim.gap:
             columns.setdefault((claim.table.label, claim.column), []).append(position)
     found = []
     for (table, column), positions in columns.items():
@@ -87,7 +103,7 @@ def fingerprints(
         distances = [
             (other.reading.name, _distance([other.claims[p] for p in positions], other.evidence))
             for other in others
-            if any(_cells(other.claims[p]) & other.changed for p in positions)
+            if any(_cells(other.claims[p]) & other.changed.keys() for p in positions)
         ]
         found.append(
             Print(
@@ -120,12 +136,3 @@ def _decades(claim: Claim, evidence: Evidence) -> float:
     if np.sign(median) != np.sign(printed):
         return FARTHEST
     return float(min(abs(np.log10(abs(median)) - np.log10(abs(printed))), FARTHEST))
-
-
-def reached(finding: Finding) -> tuple[str, ...]:
-    """Return the readings under which a contradicted number is not contradicted."""
-    return tuple(
-        outcome.reading
-        for outcome in finding.readings
-        if outcome.verdict is not Verdict.CONTRADICTED
-    )

@@ -6,10 +6,9 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 from repro.errors import InputError
-from repro.judge.verdict import Verdict
+from repro.judge.verdict import HELD, Verdict
 
 Json = Mapping[str, Any]
-DECIDED = (Verdict.REPRODUCED, Verdict.CONTRADICTED)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -23,8 +22,9 @@ class Flip:
 
     @property
     def opposite(self) -> bool:
-        """Whether both are decided, and say opposite things."""
-        return self.first.split(",")[0] in DECIDED and self.second.split(",")[0] in DECIDED
+        """Whether one says that the number holds, and the other that it is contradicted."""
+        words = [text.split(",")[0] for text in (self.first, self.second)]
+        return Verdict.CONTRADICTED in words and any(word in HELD for word in words)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

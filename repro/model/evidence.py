@@ -1,8 +1,9 @@
 """What the runs of one paper say, arranged for judging."""
 
+import math
 import re
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import partial
 from typing import Any, TypeVar
 
@@ -10,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from repro.errors import DeclarationError
+from repro.functions import BenchmarkProblem
 from repro.model.experiment import Experiment
 from repro.optimisers.search import TellsQuantities
 
@@ -32,25 +34,10 @@ class Runs:
     histories: Vector
     evaluations: int
     seconds: float = 0.0
-    part_of: "tuple[Runs, slice] | None" = None
     known: dict[str, Vector] = field(default_factory=dict, compare=False, repr=False)
 
-    def repeats(self, which: slice) -> "Runs":
-        """Return some of the repeats."""
-        return replace(
-            self,
-            costs=self.costs[which],
-            points=self.points[which],
-            histories=self.histories[which],
-            part_of=(self, which),
-            known={},
-        )
-
     def measured(self, quantity: str, measure: Callable[[Vector], Vector]) -> Vector:
-        """Return what `measure` makes of the points, made once for all that ask, and for parts."""
-        if self.part_of:
-            whole, which = self.part_of
-            return whole.measured(quantity, measure)[which]
+        """Return what `measure` makes of the points, made once for all that ask."""
         if quantity not in self.known:
             self.known[quantity] = measure(self.points)
         return self.known[quantity]
@@ -94,19 +81,15 @@ class Evidence:
         }
         return Evidence(self.key, (*others, *self.experiments), {**self.runs, **runs}, kept)
 
-    def halves(self) -> tuple["Evidence", "Evidence"]:
-        """Return the odd and the even repeats of all cells that have two repeats or more."""
-        return self.remember("halves", self._halves)
+    def deeper(self, runs: Mapping[Cell, Runs]) -> "Evidence":
+        """Return the evidence with more repeats of cells that nothing remembered rests on."""
+        return Evidence(self.key, self.experiments, {**self.runs, **runs}, self.remembered)
 
-    def _halves(self) -> tuple["Evidence", "Evidence"]:
-        cells = [cell for cell, runs in self.runs.items() if len(runs.costs) > 1]
-        odd, even = (
-            replace(
-                self, runs={cell: self.runs[cell].repeats(which) for cell in cells}, remembered={}
-            )
-            for which in (slice(0, None, 2), slice(1, None, 2))
-        )
-        return odd, even
+    def floor(self, cell: Cell) -> float:
+        """Return what no cost of a cell lies below, as far as it is known."""
+        of = (e.problems.get(cell[1]) for e in self.experiments if e.name == cell[0])
+        problem = next(of, None)
+        return problem.function.minimum if isinstance(problem, BenchmarkProblem) else -math.inf
 
     def values(self, cell: Cell, quantity: str = "cost") -> Vector:
         """Return a quantity of every run, shape (repeats, runs).

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from repro.errors import DeclarationError
-from repro.model.claims import CellClaim, Claim
+from repro.model.claims import CellClaim, Claim, left_open
 from repro.model.experiment import Experiment
 from repro.model.figures import Figure
 from repro.model.open_points import Erratum, Gap
@@ -140,6 +140,13 @@ class Paper:
         self._refuse_unclaimed_cells()
         self._refuse_readings_of_nothing()
         self._refuse_idle_alternatives()
+
+    @property
+    def said(self) -> tuple[Claim, ...]:
+        """The claims, and the gaps about results that no claim carries, as sentences."""
+        carried = {claim.gap for claim in self.claims}
+        gaps = [gap for gap in self.gaps if gap.result and gap not in carried]
+        return (*self.claims, *map(left_open, gaps))
 
     def _refuse_ambiguous_names(self) -> None:
         names = [experiment.name for experiment in self.experiments]

@@ -9,7 +9,6 @@ from markupsafe import Markup
 
 from repro.judge.findings import LEVEL, Finding
 from repro.judge.judgement import Judgement
-from repro.judge.other_readings import reached
 from repro.judge.verdict import Verdict
 from repro.model.identifiers import anchor
 from repro.model.measures.measure import TABLES
@@ -44,7 +43,7 @@ ANOTHER_SEED = "another-seed.json"
 _COLUMNS = (
     *("table", "row", "column", "claim", "where", "printed", "unit", "value"),
     *("measured_low", "measured_high", "accepted_low", "accepted_high", "quantile", "repeats"),
-    *("verdict", "side", "note", "readings_tried", "within_reach_of", "id"),
+    *("verdict", "side", "note", "readings_tried", "turns_on", "group", "unseen", "id"),
 )
 
 
@@ -196,5 +195,5 @@ def _csv_row(finding: Finding) -> tuple[object, ...]:
         finding.table, finding.row, finding.column, finding.claim, finding.where, finding.printed,
         finding.unit, finding.value, low, high, *finding.accepted, finding.quantile,
         finding.repeats, finding.verdict, finding.side, finding.note,
-        len(finding.readings), "; ".join(reached(finding)),
+        len(finding.readings), "; ".join(finding.turns_on), finding.group, finding.unseen,
     )  # fmt: skip

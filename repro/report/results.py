@@ -2,15 +2,17 @@
 
 import dataclasses
 import json
+import math
 from collections import Counter
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
+from repro.judge.counting import counts
 from repro.judge.judgement import Judgement
 from repro.model.paper import Assumption
 
-SCHEMA = 1
+SCHEMA = 2
 PROVENANCE = "provenance.json"
 Json = dict[str, Any]
 Environments = list[dict[str, object]]
@@ -42,7 +44,18 @@ def paper_result(judgement: Judgement, master_seed: str) -> Json:
 
 
 def _plain(rows: Iterable[Any]) -> list[Json]:
-    return [dataclasses.asdict(row) for row in rows]
+    return [
+        {name: _finite(value) for name, value in dataclasses.asdict(row).items()} for row in rows
+    ]
+
+
+def _finite(value: object) -> object:
+    """Return a value with None for ends that are not there, as JSON has no infinity."""
+    if isinstance(value, tuple | list):
+        return [_finite(each) for each in value]
+    if isinstance(value, dict):
+        return {name: _finite(each) for name, each in value.items()}
+    return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
 def _assumption(assumption: Assumption) -> Json:
@@ -122,6 +135,6 @@ def results_text(results: Json) -> str:
     return json.dumps(results, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
 
 
-def verdict_counts(entry: Json) -> Counter[str]:
-    """Return how many findings of a paper have each verdict."""
-    return Counter(str(finding["verdict"]) for finding in entry["findings"])
+def verdict_counts(entry: Mapping[str, Any]) -> Counter[str]:
+    """Return how many results of a paper have each verdict; what is one result counts once."""
+    return counts((finding["group"], finding["verdict"]) for finding in entry["findings"])

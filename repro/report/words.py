@@ -11,15 +11,22 @@ from repro.tables.published import Printed
 
 SYMBOLS = {
     Verdict.REPRODUCED: "✔",
+    Verdict.CONSISTENT: "≈",
+    Verdict.UNDECIDED: "?",
+    Verdict.DEPENDS: "◐",
     Verdict.CONTRADICTED: "✖",
-    Verdict.UNDECIDED: "≈",
     Verdict.NOT_REPRODUCIBLE: "∅",
     Verdict.NOT_RUN: "○",
 }
 MEANINGS = {
-    Verdict.REPRODUCED: "the re-run's interval lies inside the band accepted beforehand",
-    Verdict.CONTRADICTED: "the re-run's interval and the accepted band do not meet",
-    Verdict.UNDECIDED: "they overlap: a table of so many runs varies too much to tell",
+    Verdict.REPRODUCED: "whatever such a table shows, it is within the tolerance",
+    Verdict.CONSISTENT: "such a table gives this number, and others outside the tolerance, too",
+    Verdict.UNDECIDED: "such a table does not give this number, but may give one within its "
+    "tolerance",
+    Verdict.DEPENDS: "a reading that the text allows, or a setting that it does not print, turns "
+    "it between held and contradicted",
+    Verdict.CONTRADICTED: "no such table comes within the tolerance, under any reading or "
+    "setting that was tried",
     Verdict.NOT_REPRODUCIBLE: "the paper does not print what a re-run needs",
     Verdict.NOT_RUN: "the runs are not in the store",
 }

@@ -1,16 +1,17 @@
 """Everything that is to be run, in order, each run with a name, a seed and a key."""
 
 import hashlib
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 from repro.determinism.source_digests import sources_of_run
 from repro.errors import InputError
+from repro.model.evidence import Cell
 from repro.model.experiment import Experiment
 from repro.model.paper import Paper
 from repro.optimisers.search import Optimiser
-from repro.runs.studies import studies
+from repro.runs.studies import Study, studies
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -72,6 +73,20 @@ def plan(
         for problem in experiment.problems
         for algorithm in experiment.algorithms
         for task in _cell(paper.key, experiment, problem, algorithm, times, seed)
+    )
+
+
+def deeper_tasks(
+    paper: Paper, besides: Iterable[Study], depths: Mapping[Cell, int], seed: str = ""
+) -> tuple[Task, ...]:
+    """Return every run of some cells of studies, so many times over each."""
+    return tuple(
+        task
+        for study in besides
+        for problem in study.experiment.problems
+        for algorithm in study.experiment.algorithms
+        if (cell := (study.experiment.name, problem, algorithm)) in depths
+        for task in _cell(paper.key, study.experiment, problem, algorithm, depths[cell], seed)
     )
 
 

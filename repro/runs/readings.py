@@ -117,7 +117,7 @@ def claims_under(paper: Paper, reading: Reading) -> tuple[Claim, ...]:
         for alternative in reading.alternatives
         for claim in alternative.claims
     }
-    return tuple(own.get(_identity(claim), claim) for claim in paper.claims)
+    return tuple(own.get(_identity(claim), claim) for claim in paper.said)
 
 
 def _identity(claim: Claim) -> tuple[str, str, str] | str:

@@ -47,9 +47,8 @@ def studies(paper: Paper, repeats: int) -> tuple[Study, ...]:
     """
     if repeats < 2:
         return ()
-    times = max(1, repeats // PER_STUDY)
     besides = _fair(paper) if repeats >= PER_STUDY else ()
-    return (*_readings(paper, times), *_shifts(paper), *besides)
+    return (*_readings(paper, repeats), *_shifts(paper), *besides)
 
 
 def kinds_of(others: Iterable[Study], run: Container[str]) -> tuple[str, ...]:
@@ -64,13 +63,14 @@ def study_name(experiment: str, departs: str) -> str:
 
 
 def _readings(paper: Paper, repeats: int) -> tuple[Study, ...]:
+    times = max(1, repeats // PER_STUDY)
     return tuple(
         Study(
             kind="reading",
             of=experiment.name,
             departs=reading.name,
             experiment=replace(part, name=study_name(experiment.name, reading.name)),
-            repeats=repeats,
+            repeats=repeats if all(a.full_depth for a in reading.alternatives) else times,
         )
         for reading in readings(paper)
         for experiment in paper.experiments

@@ -17,11 +17,11 @@ from numpy.typing import NDArray
 
 from repro.determinism.seeds import generator
 from repro.model.evidence import Cell, Evidence
-from repro.model.measures.measure import TABLES, Measure, Measured, place_among
+from repro.model.measures.measure import EXTREMES, TABLES, Measure, Measured, place_among
 from repro.robotics.path_fitting import PathFitting
 from repro.robotics.polynomial_curves import values
 from repro.statistics.summary import STATISTICS
-from repro.statistics.tables import resampled
+from repro.statistics.tables import predicted
 
 Vector = NDArray[np.float64]
 Combination = Literal["norm", "sum", "largest"]
@@ -80,7 +80,7 @@ class Together:
         return tuple((self.experiment, problem, self.algorithm) for problem in self.problems)
 
     def measure(self, evidence: Evidence) -> Measured:
-        """Return the statistic of the first repeat and of resampled tables."""
+        """Return the statistic of the first repeat and of tables that may come next."""
         return evidence.remember(self, partial(self._measure, evidence))
 
     def _measure(self, evidence: Evidence) -> Measured:
@@ -111,7 +111,7 @@ class PlaceAmong:
         return tuple(cell for measure in (self.of, *self.others) for cell in measure.cells())
 
     def measure(self, evidence: Evidence) -> Measured:
-        """Return the place in the first repeat and in resampled tables."""
+        """Return the place in the first repeat and in tables that may come next."""
         others = [measure.measure(evidence) for measure in self.others]
         return place_among(self.of.measure(evidence), others)
 
@@ -146,7 +146,7 @@ class Effort:
         return tuple(cell for name in self.among for cell in self._of(name))
 
     def measure(self, evidence: Evidence) -> Measured:
-        """Return the effort in the first repeat and in resampled tables."""
+        """Return the effort in the first repeat and in tables that may come next."""
         histories = {name: self._history(evidence, name) for name in self.among}
         first = {name: history[:1] for name, history in histories.items()}
         own, name = self.algorithm, self.experiment
@@ -205,7 +205,7 @@ class Sensitivity:
         return tuple(product((self.experiment, self.shifted), self.problems, (self.algorithm,)))
 
     def measure(self, evidence: Evidence) -> Measured:
-        """Return the sensitivity in the first repeat and in resampled tables."""
+        """Return the sensitivity in the first repeat and in tables that may come next."""
         problems = evidence.experiment(self.experiment).problems
         changes = []
         for name in self.problems:
@@ -242,11 +242,12 @@ def _of_common_repeats(parts: Sequence[Vector]) -> Vector:
 def _summarised(
     table: Vector, statistic: str, evidence: Evidence, experiment: str, algorithm: str
 ) -> Measured:
-    """Return the statistic of a table (repeats, runs) and of tables resampled from it."""
-    rng = generator("resample", evidence.key, experiment, algorithm)
+    """Return the statistic of a table (repeats, runs) and of tables that may come next."""
+    rng = generator("tables", evidence.key, experiment, algorithm)
     summary = SUMMARIES[statistic]
     return Measured(
         value=float(summary(table[0])),
-        draws=resampled(table, summary, tables=TABLES, rng=rng),
+        draws=predicted(table, summary, tables=TABLES, rng=rng),
         repeats=len(table),
+        extreme=statistic in EXTREMES,
     )

@@ -1,6 +1,6 @@
 """What can be measured for a claim: statistics of runs, ranks, reductions, computed values."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import ClassVar, Protocol
@@ -13,22 +13,26 @@ from repro.errors import DeclarationError
 from repro.model.evidence import Cell, Evidence
 from repro.model.experiment import Experiment
 from repro.statistics.summary import STATISTICS
-from repro.statistics.tables import resampled
+from repro.statistics.tables import next_tables
 
 Vector = NDArray[np.float64]
-TABLES = 2000  # resampled tables per statistic: its 2.5 % tail then holds 50 of them
+TABLES = 2000  # tables per statistic: its 2.5 % tail then holds 50 of them
+ALL = "all statistics"
+EXTREMES = frozenset({"best", "worst"})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Measured:
-    """The value of the first repeat, the values of many resampled tables, and repeats used.
+    """The value of the first repeat, the values of many tables that may come next, repeats used.
 
     Where several cells are used, the repeats are the fewest of any, and 0 where none is run.
+    `extreme` says that the value hangs on the best or the worst run.
     """
 
     value: float
     draws: Vector
     repeats: int
+    extreme: bool = False
 
 
 def fewest_repeats(*parts: Measured) -> int:
@@ -42,6 +46,7 @@ def place_among(own: Measured, others: Sequence[Measured]) -> Measured:
         value=1.0 + sum(other.value < own.value for other in others),
         draws=np.asarray(1.0 + sum(1.0 * (other.draws < own.draws) for other in others)),
         repeats=fewest_repeats(own, *others),
+        extreme=any(part.extreme for part in (own, *others)),
     )
 
 
@@ -93,19 +98,30 @@ class Statistic:
         return self.quantity.startswith("cost after")
 
     def measure(self, evidence: Evidence) -> Measured:
-        """Return the statistic of the first repeat and of resampled tables."""
-        return evidence.remember(self, partial(self._measure, evidence))
-
-    def _measure(self, evidence: Evidence) -> Measured:
-        values = evidence.values(self.cell, self.quantity)
-        statistic = STATISTICS[self.statistic]
-        # named without statistic and quantity: one and the same tables for all of a cell's numbers
-        rng = generator("resample", evidence.key, *self.cell)
-        return Measured(
-            value=float(statistic(values[0])),
-            draws=resampled(values, statistic, tables=TABLES, rng=rng),
-            repeats=len(values),
+        """Return the statistic of the first repeat and of tables that may come next."""
+        of_all = evidence.remember(
+            replace(self, statistic=ALL), partial(_statistics, evidence, self.cell, self.quantity)
         )
+        return of_all[self.statistic]
+
+
+def _statistics(evidence: Evidence, cell: Cell, quantity: str) -> Mapping[str, Measured]:
+    """Return every statistic of one and the same tables, which are made once for all of them."""
+    values = evidence.values(cell, quantity)
+    # named without the quantity: the same tables for all of a cell's numbers
+    rng = generator("tables", evidence.key, *cell)
+    floor = evidence.floor(cell) if quantity == "cost" else -np.inf
+    tables = next_tables(values, tables=TABLES, rng=rng, floor=floor)
+    return {
+        name: Measured(
+            value=float(statistic(values[0])),
+            draws=statistic(tables),
+            repeats=len(values),
+            extreme=name in EXTREMES,
+        )
+        for name, statistic in STATISTICS.items()
+        if name != "std" or values.shape[-1] > 1
+    }
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -130,7 +146,7 @@ class Rank:
         return tuple((*self.of.cell[:2], name) for name in self.among)
 
     def measure(self, evidence: Evidence) -> Measured:
-        """Return the rank in the first repeat and in resampled tables."""
+        """Return the rank in the first repeat and in tables that may come next."""
         rivals = [name for name in self.among if name != self.of.algorithm]
         others = [replace(self.of, algorithm=name).measure(evidence) for name in rivals]
         return place_among(self.of.measure(evidence), others)
@@ -205,12 +221,13 @@ class Difference:
         return self.before.cells() + self.after.cells()
 
     def measure(self, evidence: Evidence) -> Measured:
-        """Return the difference in the first repeat and in resampled tables."""
+        """Return the difference in the first repeat and in tables that may come next."""
         before, after = self.before.measure(evidence), self.after.measure(evidence)
         return Measured(
             value=before.value - after.value,
             draws=before.draws - after.draws,
             repeats=fewest_repeats(before, after),
+            extreme=before.extreme or after.extreme,
         )
 
 
@@ -236,13 +253,16 @@ class Reduction:
         return self.before.cells() + self.after.cells()
 
     def measure(self, evidence: Evidence) -> Measured:
-        """Return the reduction in the first repeat and in resampled tables."""
+        """Return the reduction in the first repeat and in tables that may come next."""
         before, after = self.before.measure(evidence), self.after.measure(evidence)
-        if before.value == 0.0 or not np.all(before.draws):
+        if before.value == 0.0:
             message = f"{self.words}: nothing is lower than 0 by a percentage"
             raise DeclarationError(message)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            shares = after.draws / before.draws
         return Measured(
             value=100.0 * (1.0 - after.value / before.value),
-            draws=100.0 * (1.0 - after.draws / before.draws),
+            draws=100.0 * (1.0 - np.where(np.isnan(shares), 1.0, shares)),
             repeats=fewest_repeats(before, after),
+            extreme=before.extreme or after.extreme,
         )

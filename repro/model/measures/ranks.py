@@ -13,10 +13,10 @@ from numpy.typing import NDArray
 from repro.determinism.seeds import generator
 from repro.model.evidence import Cell, Evidence
 from repro.model.measures.measure import Measured, Statistic
-from repro.statistics.tables import resampled
+from repro.statistics.tables import next_tables
 
 Vector = NDArray[np.float64]
-TEST_TABLES = 400  # resampled tables per test: its 2.5 % tail then holds 10 of them
+TEST_TABLES = 400  # tables per test: its 2.5 % tail then holds 10 of them
 LEVEL = 0.05
 Samples = Literal["all runs", "averages", "each problem"]
 SAMPLES: Mapping[Samples, str] = MappingProxyType(
@@ -98,7 +98,7 @@ class MeanRank:
         return self.contest.cells()
 
     def measure(self, evidence: Evidence) -> Measured:
-        """Return the mean rank in the first repeat and in resampled tables."""
+        """Return the mean rank in the first repeat and in tables that may come next."""
         ranks, repeats = self.contest.ranks(evidence)
         return _measured(ranks.mean(axis=0)[self.contest.of(self.algorithm)], repeats)
 
@@ -124,7 +124,7 @@ class ContestPlace:
         return self.contest.cells()
 
     def measure(self, evidence: Evidence) -> Measured:
-        """Return the place in the first repeat and in resampled tables."""
+        """Return the place in the first repeat and in tables that may come next."""
         from scipy.stats import rankdata  # noqa: PLC0415 (slow to load)
 
         ranks, repeats = self.contest.ranks(evidence)
@@ -151,7 +151,7 @@ class Firsts:
         return self.contest.cells()
 
     def measure(self, evidence: Evidence) -> Measured:
-        """Return the count in the first repeat and in resampled tables."""
+        """Return the count in the first repeat and in tables that may come next."""
         ranks, repeats = self.contest.ranks(evidence)
         first = ranks[:, self.contest.of(self.algorithm)] == ranks.min(axis=1)
         return _measured(first.sum(axis=0, dtype=np.float64), repeats)
@@ -190,7 +190,7 @@ class RankSum:
         return tuple(product((self.experiment,), self.problems, (self.algorithm, self.against)))
 
     def measure(self, evidence: Evidence) -> Measured:
-        """Return p or sign in the first repeat and in resampled tables."""
+        """Return p or sign in the first repeat and in tables that may come next."""
         return evidence.remember(self, partial(self._measure, evidence))
 
     def _measure(self, evidence: Evidence) -> Measured:
@@ -200,7 +200,7 @@ class RankSum:
         return _measured(found, min(len(evidence.values(cell)) for cell in self.cells()))
 
     def test(self, evidence: Evidence) -> tuple[Vector, NDArray[np.bool_]]:
-        """Return p in the first repeat and in resampled tables, and whether costs rank lower."""
+        """Return p in the first repeat and in tables to come, and whether costs rank lower."""
         own, others = (self._tables(evidence, name) for name in (self.algorithm, self.against))
         p, lower = _test(self._sample(own), self._sample(others))
         if self.samples == "each problem":
@@ -214,13 +214,13 @@ class RankSum:
         return np.hstack(tables)
 
     def _tables(self, evidence: Evidence, algorithm: str) -> list[Vector]:
-        """Return per problem the first repeat, then resampled tables: (1 + tables, runs) each."""
+        """Return per problem the first repeat, then tables to come: (1 + tables, runs) each."""
         tables = []
         for problem in self.problems:
             cell = (self.experiment, problem, algorithm)
             values = evidence.values(cell)
-            rng = generator("resample", evidence.key, *cell)
-            drawn = resampled(values, np.asarray, tables=TEST_TABLES, rng=rng)
+            rng = generator("tables", evidence.key, *cell)
+            drawn = next_tables(values, tables=TEST_TABLES, rng=rng, floor=evidence.floor(cell))
             tables.append(np.vstack([values[:1], drawn]))
         return tables
 

@@ -4,7 +4,7 @@ from collections import Counter
 from dataclasses import dataclass
 
 from repro.judge.judgement import Judgement
-from repro.judge.other_readings import AS_CHOSEN, Print, reached
+from repro.judge.other_readings import AS_CHOSEN, Print
 from repro.judge.verdict import Verdict
 from repro.model.identifiers import anchor
 from repro.report.words import number
@@ -42,8 +42,8 @@ def readings_view(judgement: Judgement) -> ReadingsView:
     paper = judgement.paper
     contradicted = [f for f in judgement.findings if f.verdict is Verdict.CONTRADICTED]
     tried = Counter(outcome.reading for f in contradicted for outcome in f.readings)
-    hits = Counter(name for f in contradicted for name in reached(f))
-    within = sum(bool(reached(f)) for f in contradicted)
+    hits = Counter(name for f in judgement.findings for name in f.turns_on)
+    within = sum(f.verdict is Verdict.DEPENDS for f in judgement.findings)
     untouched = sum(not f.readings for f in contradicted)
     return ReadingsView(
         rows=tuple(
