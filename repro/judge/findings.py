@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from repro.judge.turning import Weighed, ReadingOutcome, turned
+from repro.judge.turning import ReadingOutcome, Weighed, turned
 from repro.judge.verdict import Unseen, Verdict, unseen, verdict_of
 from repro.model.claims import CellClaim, Claim
 from repro.model.evidence import Cell, Evidence
