@@ -35,11 +35,13 @@ class Alternative:
     object, or the fields to replace. `protocol` maps an experiment to fields of it to replace
     (population, iterations, runs). `claims` take the place of the claims on the same cells or
     sentences. `at` is the value of an open setting. It runs as deep as the protocol where
-    `full_depth` says so.
+    `full_depth` says so. One that the text has `ruled_out` is run and shown as a note: no verdict
+    may turn on it.
     """
 
     says: str
     name: str = ""
+    ruled_out: bool = False
     at: float | None = None
     full_depth: bool = False
     algorithms: Mapping[tuple[str, str], Any] = field(default_factory=dict)
