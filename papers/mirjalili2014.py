@@ -125,6 +125,7 @@ IN_WORDS = (
 )  # fmt: skip
 
 PAPER = TEXT.paper(
+    control=True,
     experiments=(BENCHMARK,),
     inputs=(),
     results=(TABLE_5, TABLE_6, TABLE_7, TABLE_8),

@@ -106,6 +106,7 @@ IN_WORDS = (
 )  # fmt: skip
 
 PAPER = TEXT.paper(
+    control=True,
     experiments=(BENCHMARK,),
     inputs=(),
     results=(TABLE_6, TABLE_7),
