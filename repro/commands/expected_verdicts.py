@@ -13,6 +13,7 @@ from typing import Any
 from repro.commands import catalogue
 from repro.errors import InputError
 from repro.judge.verdict import Verdict
+from repro.report.results import impossible_rows
 
 COLUMNS = ("table", "row", "column", "claim", "printed", "verdict", "side", "value", "repeats")
 PLACE, SAID = slice(0, 5), slice(5, 7)
@@ -59,8 +60,8 @@ def _table(entries: Iterable[Mapping[str, Any]]) -> list[str]:
     rows = [headings]
     for entry in entries:
         said = [finding["verdict"] for finding in entry["findings"]]
-        impossible = [row for row in entry["audit"] if row["grade"] == "impossible"]
-        counts = (*map(said.count, Verdict), len(impossible), entry["provenance"]["repeats"])
+        impossible = len(impossible_rows(entry))
+        counts = (*map(said.count, Verdict), impossible, entry["provenance"]["repeats"])
         rows.append((entry["key"], *map(str, counts)))
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     return [
