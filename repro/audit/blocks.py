@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from types import MappingProxyType
 
-from repro.functions import FUNCTIONS, BenchmarkProblem
+from repro.functions import FUNCTIONS, BenchmarkProblem, Function
 from repro.model.claims import CellClaim
 from repro.model.measures.measure import Statistic
 from repro.model.paper import Paper
@@ -15,11 +15,33 @@ from repro.tables.true_numbers import exact, is_scientific
 # multiple of the spacing of doubles at the smallest of these terms.
 CANCELLING = {"ackley": 2.0**-51, "rastrigin": 2.0**-49}
 CONDITIONS = {
-    "ackley": "if the four terms are computed as doubles and then added, in whatever order: near "
-    "the minimum each of them, 20 and e included, is a multiple of this step",
-    "rastrigin": "if x² is first added to 10 or to −10 cos(2πx), as the formula reads from left "
-    "to right and with 10n added at the end: both terms of size 10 are multiples of this step",
+    "ackley": "the four terms are computed as doubles and then added, in whatever order: near the "
+    "minimum each of them, 20 and e included, is a multiple of this step",
+    "rastrigin": "x² is first added to 10 or to −10 cos(2πx), as the formula reads from left to "
+    "right and with 10n added at the end: both terms of size 10 are multiples of this step",
 }
+# Terms that cancel at the minimum, in sum: a value computed in single precision may be below the
+# minimum by a few roundings of them. 0: a sum of squares or sizes, rounded or not, is none below 0.
+CANCELLED: Mapping[str, int] = MappingProxyType(
+    {
+        "ackley": 46,
+        "branin": 30,
+        "goldstein_price": 1000,
+        "foxholes": 4,
+        "hartmann_3": 16,
+        "shekel_5": 16,
+    }
+)
+ELSE_CANCELLED = 256  # times the minimum, of other functions: a generous guess
+ROUNDINGS = Fraction(1, 2**20)  # 16 roundings in single precision
+# Functions whose minimum is that of all space, so that no run is below it outside the box either.
+LEAST_OF_ALL_SPACE = frozenset(
+    {
+        *("sphere", "schwefel_2_22", "schwefel_1_2", "schwefel_2_21", "rosenbrock", "rastrigin"),
+        *("ackley", "alpine_1", "penalized_1", "penalized_2", "foxholes", "branin"),
+        *("goldstein_price", "hartmann_3", "shekel_5"),
+    }
+)
 
 
 def _penalized_1(n: int) -> Fraction:
@@ -83,14 +105,14 @@ def blocks(paper: Paper) -> tuple[Block, ...]:
             n=experiments[experiment].runs,
             cells={name: claim.cell for name, claim in claims.items()},
             scientific=is_scientific(next(iter(claims.values())).table),
-            function=_bounds(experiments[experiment].problems[problem], quantity),
+            function=_bounds(experiments[experiment].problems.get(problem), quantity),
         )
         for (_, experiment, problem, algorithm, quantity), claims in found.items()
     )
 
 
 def _bounds(problem: object, quantity: str) -> FunctionBounds | None:
-    """Return what is known of a problem's costs; None of what is no benchmark function."""
+    """Return what is known of a problem's costs; None where it is no benchmark function of ours."""
     if not isinstance(problem, BenchmarkProblem) or quantity != "cost":
         return None
     return bounds_of(problem)
@@ -105,11 +127,20 @@ def bounds_of(problem: BenchmarkProblem) -> FunctionBounds:
         title=function.title,
         minimum=least,
         floor=least - max(abs(least) / 2**40, 4 * step),
+        floor_in_singles=least - _cancelled(function) * ROUNDINGS,
+        only_in_box=function.name not in LEAST_OF_ALL_SPACE,
         ceiling=_ceiling(problem),
         step=step,
         condition=CONDITIONS.get(function.name, ""),
         fixed=(function(function.minimiser(problem.dimension)), problem.minimum),
     )
+
+
+def _cancelled(function: Function) -> Fraction:
+    """Return the size of the terms that cancel at the minimum of the function."""
+    if function.name in CANCELLED:
+        return Fraction(CANCELLED[function.name])
+    return abs(exact(function.minimum)) * ELSE_CANCELLED
 
 
 def _ceiling(problem: BenchmarkProblem) -> Fraction | None:

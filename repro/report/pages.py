@@ -21,6 +21,7 @@ from repro.report.results import (
     PROVENANCE,
     Environments,
     Json,
+    impossible_rows,
     merged,
     merged_provenance,
     paper_result,
@@ -36,7 +37,7 @@ from repro.report.views.readings import readings_view
 from repro.report.views.runs import runs_view
 from repro.report.views.search_box import search_rows
 from repro.report.views.times import time_cells
-from repro.report.words import MEANINGS, SYMBOLS, again_command, markdown_cell, number
+from repro.report.words import IMPOSSIBLE, MEANINGS, SYMBOLS, again_command, markdown_cell, number
 
 Files = dict[str, str]
 ANOTHER_SEED = "another-seed.json"
@@ -128,6 +129,7 @@ def index_files(results: Json, another_seed: Json | None = None) -> Files:
     context = {
         "papers": papers,
         "counts_of": verdict_counts,
+        "impossible_of": impossible_rows,
         "verdicts": [v for v in Verdict if v != Verdict.NOT_RUN or not_run],
         "search_rows": search_rows(papers),
         "another_seed": another_seed,
@@ -161,6 +163,7 @@ def _templates(*, markdown: bool) -> Environment:
     environment.globals |= {"viewer": viewer, "again_command": again_command}
     environment.globals |= {"level": LEVEL, "resampled_tables": TABLES}
     environment.globals |= {"SYMBOLS": SYMBOLS, "MEANINGS": MEANINGS, "VERDICTS": tuple(Verdict)}
+    environment.globals["IMPOSSIBLE"] = IMPOSSIBLE
     return environment
 
 

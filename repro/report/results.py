@@ -11,6 +11,7 @@ from typing import Any
 from repro.judge.counting import counts
 from repro.judge.judgement import Judgement
 from repro.model.paper import Assumption
+from repro.tables.rows import Grade
 
 SCHEMA = 2
 PROVENANCE = "provenance.json"
@@ -133,6 +134,15 @@ def read_json(path: Path) -> Json | None:
 def results_text(results: Json) -> str:
     """Return results.json as text."""
     return json.dumps(results, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def impossible_rows(entry: Mapping[str, Any]) -> list[Json]:
+    """Return the audit rows of a paper that no runs whatever can give; those are counted."""
+    return [
+        row
+        for row in entry["audit"]
+        if row["grade"] == Grade.IMPOSSIBLE and row.get("condition") is None
+    ]
 
 
 def verdict_counts(entry: Mapping[str, Any]) -> Counter[str]:

@@ -30,6 +30,10 @@ MEANINGS = {
     Verdict.NOT_REPRODUCIBLE: "the paper does not print what a re-run needs",
     Verdict.NOT_RUN: "the runs are not in the store",
 }
+IMPOSSIBLE = (
+    "no runs in single or double precision, summed in any usual order, rounded or cut off, give "
+    "what is printed"
+)
 
 
 def number(value: float | None, digits: int = 4) -> str:

@@ -90,6 +90,20 @@ def test_table_counts_verdicts_and_repeats_by_paper() -> None:
     assert (shown["reproduced"], shown["contradicted"]) == ("2", "0")
 
 
+def test_what_is_impossible_under_a_condition_only_is_not_counted() -> None:
+    found = results(FINDING)
+    found["papers"][0]["audit"] = [
+        {"grade": "impossible", "condition": None},
+        {"grade": "impossible", "condition": "it rains"},
+        {"grade": "noted", "condition": None},
+        {"grade": "impossible"},  # of an older file, which knew no conditions
+    ]
+    headings, row, *_ = summary(found, ["doe2021"]).splitlines()
+
+    assert headings.split()[-2:] == ["impossible", "repeats"]
+    assert row.split()[-2:] == ["2", "10"]
+
+
 def test_file_that_is_no_list_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "list.csv"
     for text, line in (("", 1), ("a,b\n1,2\n", 1), (f"{','.join(COLUMNS)}\n1,2\n", 2)):

@@ -18,7 +18,7 @@ FINDING = {
     *("table", "row", "column", "claim", "where", "printed", "unit", "measured", "value"),
     *("accepted", "verdict", "side", "note"),
 }
-AUDIT = {"paper", "table", "row", "column", "check", "grade", "explanation"}
+AUDIT = {"paper", "table", "row", "column", "check", "grade", "explanation", "condition"}
 CERTIFICATE = {
     *("paper", "problem", "minimum", "lower_bound", "attained", "method", "at", "binding"),
     "printed",
@@ -68,6 +68,26 @@ def test_results_follow_the_contract(pages: dict[str, str]) -> None:
     assert all(set(row) >= AUDIT for row in entry["audit"])
     assert all(set(row) >= CERTIFICATE for row in entry["certificates"])
     assert {"assumptions", "errata", "gaps", "title"} <= set(entry)
+
+
+def test_flag_marks_what_no_runs_whatever_give_and_nothing_else(pages: dict[str, str]) -> None:
+    audit = json.loads(pages["results.json"])["papers"][0]["audit"]
+    assert [(row["grade"], bool(row["condition"])) for row in audit] == [
+        ("impossible", False),
+        ("impossible", True),
+    ]
+    cells = re.findall(r'<a class="mark[^>]*>(.*?)</a>', pages["doe2021.html"])
+    assert [re.sub("<.*?>", "", cell) for cell in cells] == ["⚑ impossible", "audit: impossible"]
+    assert pages["doe2021.html"].count(" data-marked") == 1
+    assert "<dt>audit: impossible</dt>" in pages["doe2021.html"]
+    assert re.findall(r"<td>(impossible.*?)</td>", pages["doe2021.html"]) == [
+        *("impossible ⚑", "impossible")
+    ]
+    for name in ("index.html", "verdicts.md"):
+        assert re.search(r"(<td>|\| )1(</td><td>| \| )2(</td>| \|)", pages[name]), name
+    for page in pages.values():
+        assert "arithmetic alone forbids" not in page
+        assert "holds without any run" not in page
 
 
 def test_a_page_loads_nothing_and_every_link_leads_somewhere(pages: dict[str, str]) -> None:

@@ -39,6 +39,11 @@ class Shown:
     readings: tuple["ShownReading", ...] = ()
     marks: tuple[AuditRow, ...] = ()
 
+    @property
+    def impossible(self) -> bool:
+        """Whether no runs whatever give the printed number."""
+        return any(row.is_proof for row in self.marks)
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ShownReading:
