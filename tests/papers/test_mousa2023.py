@@ -262,7 +262,7 @@ def test_fitness_is_convex_so_that_no_optimum_is_local_alone() -> None:
     fit = FIT.problems["joint 1"]
     cost, rng = ready(fit.kernel, COST), np.random.default_rng(1)
     for _ in range(100):
-        first, second = rng.uniform(*fit.bounds.T, (2, 6))
+        first, second = (rng.uniform(fit.bounds[:, 0], fit.bounds[:, 1]) for _ in range(2))
         between = cost((first + second) / 2, fit.data)
         assert between <= (cost(first, fit.data) + cost(second, fit.data)) / 2
 
