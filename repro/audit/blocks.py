@@ -39,6 +39,12 @@ CEILINGS: Mapping[str, Callable[[int], Fraction]] = MappingProxyType(
         "rosenbrock": lambda n: Fraction((n - 1) * (100 * (30 + 30**2) ** 2 + 31**2)),
         "rastrigin": lambda n: n * (Fraction(512, 100) ** 2 + 20),
         "ackley": lambda _: Fraction(23),  # 20 + e and no less than 0 taken away
+        "step": lambda n: n * Fraction(1005, 10) ** 2,
+        "step_floor": lambda n: Fraction(n * 100**2),
+        # the sum of i up to n, and noise below 1
+        "quartic_noise": lambda n: Fraction(n * (n + 1), 2) * Fraction(128, 100) ** 4 + 1,
+        "schwefel_2_26": lambda n: Fraction(500 * n),  # no sine is above 1
+        "griewank": lambda n: n * Fraction(600**2, 4000) + 2,
         "alpine_1": lambda n: Fraction(11 * n),
         "penalized_1": _penalized_1,
         "penalized_2": lambda n: n * 100 * 45**4 + Fraction(1 + 2 * n * 51**2, 10),
@@ -48,8 +54,13 @@ CEILINGS: Mapping[str, Callable[[int], Fraction]] = MappingProxyType(
         "branin": lambda _: Fraction(221875, 10000) ** 2 + Fraction(27244, 10000) + 10,
         # Bernstein coefficients of the polynomial on parts of the box are below
         "goldstein_price": lambda _: Fraction(1015691),
-        "hartmann_3": lambda _: Fraction(0),
-        "shekel_5": lambda _: Fraction(0),
+        # the cubic in u² has its inner peak, below 3, near u² = 1.46 and is greatest at u² = 25; so
+        # is 4 v⁴ - 4 v², which is convex in v²
+        "six_hump_camel": lambda _: 100 - Fraction(21, 10) * 625 + Fraction(5**6, 3) + 25 + 2400,
+        **dict.fromkeys(
+            ("hartmann_3", "hartmann_6", "shekel_5", "shekel_7", "shekel_10"), lambda _: Fraction(0)
+        ),
+        # kowalik has none: its denominators vanish inside the box
     }
 )
 # Where a ceiling holds, if on more than the function's own box.
@@ -88,7 +99,7 @@ def _bounds(problem: object, quantity: str) -> FunctionBounds | None:
 def bounds_of(problem: BenchmarkProblem) -> FunctionBounds:
     """Return what no value of the function in so many dimensions is outside of."""
     function = problem.function
-    least = exact(function.minimum)
+    least = exact(problem.minimum)
     step = Fraction(CANCELLING.get(function.name, 0))
     return FunctionBounds(
         title=function.title,
@@ -97,7 +108,7 @@ def bounds_of(problem: BenchmarkProblem) -> FunctionBounds:
         ceiling=_ceiling(problem),
         step=step,
         condition=CONDITIONS.get(function.name, ""),
-        fixed=(function(function.minimiser(problem.dimension)), function.minimum),
+        fixed=(function(function.minimiser(problem.dimension)), problem.minimum),
     )
 
 

@@ -60,7 +60,7 @@ def _rank(paper: str, claim: Sentence, measure: Measure, cells: Cells) -> Iterat
 
 def _same_number(paper: str, claim: Sentence, measure: Measure, cells: Cells) -> Iterator[AuditRow]:
     """Check a number of the text against the cell that prints the same statistic."""
-    if not isinstance(measure, Statistic) or measure not in cells:
+    if claim.in_words or not isinstance(measure, Statistic) or measure not in cells:
         return
     cell = cells[measure]
     if cell.printed.unit != claim.printed.unit or span(cell.printed).meets(span(claim.printed)):

@@ -119,7 +119,7 @@ def test_reproduce_runs_what_is_missing_and_writes_pages(run: Run) -> None:
     assert first[1] == again[1]
     pages, headings, verdicts, compared = more[1].splitlines()
     assert pages == "pages: reports/index.html"
-    assert headings.split()[:3] == ["paper", "reproduced", "contradicted"]
+    assert headings.split()[:3] == ["paper", "reproduced", "consistent"]
     assert verdicts.split()[0] == "small2020"
     assert verdicts.split()[-1] == "2"
     assert compared == "small2020 has no list of expected verdicts"

@@ -10,9 +10,11 @@ from repro.errors import InputError
 FINDING = {
     "table": "Table 1", "row": "F1 mean", "column": "WOA", "claim": None, "printed": "0.05",
     "verdict": "reproduced", "side": None, "value": 0.1 + 0.2, "repeats": 10,
+    "group": "Table 1, F1 mean, WOA",
 }  # fmt: skip
 SENTENCE = FINDING | {
     "table": None, "row": None, "column": None, "claim": "it is so", "repeats": 0,
+    "group": "it is so",
 }  # fmt: skip
 
 
