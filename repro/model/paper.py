@@ -111,7 +111,8 @@ class Paper:
     claimed; `relations` say what printed numbers must be to each other; `motion_readings` are
     motion problems as the paper may also be read; `together` names the alternatives that are also
     tried in every combination; `summary` says in one sentence what the paper reports; `read_twice`
-    that its tables were transcribed a second time, blind, and agree.
+    that its tables were transcribed a second time, blind, and agree; `control` that its numbers are
+    there to test the re-run, and not the other way round.
     """
 
     key: str
@@ -130,6 +131,7 @@ class Paper:
     motion_readings: tuple[MotionReading, ...] = ()
     together: tuple[str, ...] = ()
     read_twice: bool = False
+    control: bool = False
 
     def __post_init__(self) -> None:
         """Raise DeclarationError where parts of the declaration do not fit together."""

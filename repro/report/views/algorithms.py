@@ -56,7 +56,7 @@ class AlgorithmsView:
 
 def algorithms_views(judgement: Judgement) -> tuple[AlgorithmsView, ...]:
     """Return what is shown of the tests of every experiment."""
-    judged = tuple(zip(judgement.paper.claims, judgement.findings, strict=True))
+    judged = tuple(zip(judgement.paper.said, judgement.findings, strict=True))
     return tuple(_view(judgement.paper.key, tests, judged) for tests in judgement.tests)
 
 
