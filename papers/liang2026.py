@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from repro.model import (
-    WOA_READINGS, ZERO_STD, Absolute, Arm, ArmMotion, Between, Claim, Computed, Convergence,
+    ZERO_STD, Absolute, Arm, ArmMotion, Between, Claim, Computed, Convergence,
     Experiment, Fitness, Motion, Percent, PercentLower, Printed, PrintedPoses, PublishedTable,
     Reduction, TableCell, TextNumber, ToolPath, computed, computed_cells, every_cell, everywhere,
     lowest_everywhere, prose, row_sums, runs_of, says, says_in_words, woa_readings,
@@ -212,7 +212,7 @@ IWOA_READINGS: dict[str, dict[str, object]] = {
 }
 CHANGES: dict[str, dict[str, object]] = {
     "modified D-H": {"claims": tool_positions("modified")},
-    **woa_readings(EXPERIMENTS, "WOA by its equations", "WOA by its equations, vectors",
+    **woa_readings(EXPERIMENTS, "WOA by its equations, numbers", "WOA by its equations, vectors",
                    "WOA with one draw"),
     "PSO clipped": {"algorithms": {("benchmark", "PSO"): {"clip": "every particle"}}},
     "DBO in proportion": {"algorithms": {("benchmark", "DBO"): {"groups": "proportional"}}},
@@ -221,7 +221,7 @@ CHANGES: dict[str, dict[str, object]] = {
     "equal evaluations": {"protocol": {e.name: {"evaluations": e.population * e.iterations}
                                        for e in EXPERIMENTS}},
     **{name: {"algorithms": everywhere(EXPERIMENTS, "IWOA", {"bounds": bounds})
-              | everywhere(EXPERIMENTS, "WOA", WOA_READINGS[name])}
+              | woa_readings(EXPERIMENTS, name)[name]["algorithms"]}
        for name, bounds in (("reflection", "reflect"), ("new places", "re-initialise"))},
     "best of 50 runs": {"claims": (*times_found("best"), *times_compared("best"))},
     "durations to 10 s": {"problems": {("motion", "FANUC"): {"durations": (0.1, 10.0)}}},

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from repro.judge.findings import EvidenceUnder, bears, judged
 from repro.judge.other_readings import evidence_under_readings
-from repro.judge.turning import Outcome, seeming
+from repro.judge.turning import Weighed, seeming
 from repro.model.claims import Claim
 from repro.model.evidence import Cell, Evidence, Runs
 from repro.model.paper import Paper
@@ -75,7 +75,7 @@ def _wanted(
 
 def _outcomes(
     position: int, claim: Claim, others: Sequence[EvidenceUnder]
-) -> Iterator[tuple[EvidenceUnder, Outcome]]:
+) -> Iterator[tuple[EvidenceUnder, Weighed]]:
     for other in others:
         if bears(position, claim, other):
             found = judged(other.claims[position], other.evidence, reading=other.reading)[1]

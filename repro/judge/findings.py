@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from repro.judge.turning import Outcome, ReadingOutcome, turned
+from repro.judge.turning import ReadingOutcome, Weighed, turned
 from repro.judge.verdict import Unseen, Verdict, unseen, verdict_of
 from repro.model.claims import CellClaim, Claim
 from repro.model.evidence import Cell, Evidence
@@ -106,7 +106,7 @@ def _under_all(
 
 def judged(
     claim: Claim, evidence: Evidence, *, reading: Reading | None = None
-) -> tuple[Finding, Outcome | None]:
+) -> tuple[Finding, Weighed | None]:
     """Return what is said of one claim, and how sure that is; None where nothing is measured."""
     if claim.gap or claim.measure is None:
         why = claim.gap.because if claim.gap else ""
@@ -124,7 +124,7 @@ def judged(
         measured=_interval(claim, measured),
         repeats=measured.repeats,
     )
-    return found, Outcome(shown=shown, reading=reading, p=_p_value(claim, measured))
+    return found, Weighed(shown=shown, reading=reading, p=_p_value(claim, measured))
 
 
 def _found(claim: Claim, measured: Measured) -> Finding:

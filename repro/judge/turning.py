@@ -27,7 +27,7 @@ class ReadingOutcome:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Outcome:
+class Weighed:
     """What is shown of a number under a `reading`, None for the paper as it is re-run.
 
     `p` is the two-sided chance that a table of its runs comes into the accepted band or beyond.
@@ -48,7 +48,7 @@ class Outcome:
         return self.shown.verdict is Verdict.CONTRADICTED
 
 
-def turned(own: Outcome, others: Sequence[Outcome]) -> tuple[str, ...]:
+def turned(own: Weighed, others: Sequence[Weighed]) -> tuple[str, ...]:
     """Return the names of the readings and settings on which a verdict turns.
 
     A number is contradicted where every reading contradicts it, so a reading that holds it counts
@@ -65,7 +65,7 @@ def turned(own: Outcome, others: Sequence[Outcome]) -> tuple[str, ...]:
     return _names([*holding, *opposed]) if holding and opposed else ()
 
 
-def seeming(own: Outcome, others: Sequence[Outcome]) -> tuple[Outcome, ...]:
+def seeming(own: Weighed, others: Sequence[Weighed]) -> tuple[Weighed, ...]:
     """Return the outcomes that would turn the verdict, whether or not that is sure yet."""
     if own.held:
         return tuple(other for other in others if other.contradicted)
@@ -74,7 +74,7 @@ def seeming(own: Outcome, others: Sequence[Outcome]) -> tuple[Outcome, ...]:
     return ()
 
 
-def _surely_contradicting(others: Sequence[Outcome]) -> list[Outcome]:
+def _surely_contradicting(others: Sequence[Weighed]) -> list[Weighed]:
     if not others:
         return []
     corrected = holm(np.array([other.p for other in others]))
@@ -85,11 +85,11 @@ def _surely_contradicting(others: Sequence[Outcome]) -> list[Outcome]:
     ]
 
 
-def _names(outcomes: Sequence[Outcome]) -> tuple[str, ...]:
+def _names(outcomes: Sequence[Weighed]) -> tuple[str, ...]:
     return tuple(outcome.shown.reading for outcome in outcomes)
 
 
-def _passed(own: Outcome, others: Sequence[Outcome]) -> Iterator[str]:
+def _passed(own: Weighed, others: Sequence[Weighed]) -> Iterator[str]:
     """Return the open settings of which two neighbouring values miss the number on either side."""
     settings: dict[str, list[tuple[float, str | None]]] = {}
     for other in others:
@@ -103,7 +103,7 @@ def _passed(own: Outcome, others: Sequence[Outcome]) -> Iterator[str]:
                 yield what
 
 
-def _alone(outcome: Outcome) -> tuple[Assumption, float] | None:
+def _alone(outcome: Weighed) -> tuple[Assumption, float] | None:
     """Return the open setting and its value, of a reading that changes nothing besides."""
     reading = outcome.reading
     if reading is None or len(reading.of) != 1 or not reading.of[0].open:

@@ -58,7 +58,13 @@ from repro.model.tolerances import (
     RoundedOrCut,
     Tolerance,
 )
-from repro.model.woa_readings import WOA_BY_EQUATIONS, WOA_READINGS, everywhere, woa_readings
+from repro.model.woa_readings import (
+    WOA_BY_EQUATIONS,
+    WOA_BY_VECTORS,
+    WOA_READINGS,
+    everywhere,
+    woa_readings,
+)
 from repro.tables.published import NOTHING, UNITS, Printed, PublishedTable
 from repro.tables.relations import (
     AverageRank,

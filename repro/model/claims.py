@@ -133,18 +133,23 @@ def every_cell(
             for role, word in zip((*rows, columns), (*headings_of[row], column), strict=True):
                 words[role] = (names or {}).get(word, word)
             place = f"{table.label}, row {row!r}, column {column!r}"
-            gap = next((left[word] for word in words.values() if word in left), None)
             measure = _statistic(place, of, words, left=tuple(left))
             accepted = std_within if measure.statistic == "std" and std_within else within
-            if isinstance(accepted, FromMinimum):
-                accepted = accepted.on(of.problems.get(measure.problem), measure.statistic)
-            claims.append(
-                CellClaim(
-                    table=table, row=row, column=column, measure=measure, accepted=accepted,
-                    gap=gap, group=gap.what if gap else "",
-                )
-            )  # fmt: skip
+            claim = CellClaim(
+                table=table, row=row, column=column, measure=measure, accepted=accepted
+            )
+            gap = next((left[word] for word in words.values() if word in left), None)
+            claims.append(_of_problem(claim, of.problems.get(measure.problem), measure, gap))
     return tuple(claims)
+
+
+def _of_problem(
+    claim: CellClaim, problem: object, measure: Statistic, gap: Gap | None
+) -> CellClaim:
+    """Return the claim with its tolerance set to the problem, and left to the gap, if any."""
+    if isinstance(claim.accepted, FromMinimum):
+        claim = replace(claim, accepted=claim.accepted.on(problem, measure.statistic))
+    return replace(claim, gap=gap, group=gap.what) if gap else claim
 
 
 def says(

@@ -87,7 +87,8 @@ class Evidence:
 
     def floor(self, cell: Cell) -> float:
         """Return what no cost of a cell lies below, as far as it is known."""
-        problem = self.experiment(cell[0]).problems[cell[1]]
+        of = (e.problems.get(cell[1]) for e in self.experiments if e.name == cell[0])
+        problem = next(of, None)
         return problem.function.minimum if isinstance(problem, BenchmarkProblem) else -math.inf
 
     def values(self, cell: Cell, quantity: str = "cost") -> Vector:

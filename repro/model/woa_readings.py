@@ -1,6 +1,8 @@
 """How WOA can be read: what every paper that compares with it leaves open.
 
 S. Mirjalili, A. Lewis, Advances in Engineering Software 95 (2016) 51-67, and its authors' program.
+The equations say one random whale for all coordinates and l uniform in [-1, 1]; whether A and C are
+numbers or vectors is the paper's to say that prints them.
 """
 
 from collections.abc import Iterable, Mapping
@@ -8,21 +10,30 @@ from types import MappingProxyType
 from typing import Any
 
 from repro.model.experiment import Experiment
-from repro.optimisers import HybridWOA, Optimiser, SlimeWOA
+from repro.optimisers import WOA, HybridWOA
 
 WOA_BY_EQUATIONS = HybridWOA(leader="per whale", spiral_range="symmetric")
-WOA_READINGS: Mapping[str, Optimiser] = MappingProxyType(
+"""WOA by its equations, A and C one number a whale each."""
+WOA_BY_VECTORS = WOA_BY_EQUATIONS(coefficients="vector")
+"""WOA by its equations, A and C drawn for every coordinate."""
+
+_EQUATIONS = {"leader": "per whale", "spiral_range": "symmetric"}
+WOA_READINGS: Mapping[str, Mapping[str, Any]] = MappingProxyType(
     {
-        "WOA by its equations": WOA_BY_EQUATIONS,
-        "WOA by its equations, vectors": WOA_BY_EQUATIONS(coefficients="vector"),
-        "WOA with one draw": SlimeWOA(
-            leader="per whale", spiral_range="symmetric", shared_draw=True
-        ),
-        "reflection": HybridWOA(bounds="reflect"),
-        "new places": HybridWOA(bounds="re-initialise"),
+        "WOA's program": {
+            "leader": "per dimension",
+            "spiral_range": "shrinking",
+            "coefficients": "scalar",
+            "shared_draw": False,
+        },
+        "WOA by its equations, numbers": {**_EQUATIONS, "coefficients": "scalar"},
+        "WOA by its equations, vectors": {**_EQUATIONS, "coefficients": "vector"},
+        "WOA with one draw": {**_EQUATIONS, "shared_draw": True},
+        "reflection": {"bounds": "reflect"},
+        "new places": {"bounds": "re-initialise"},
     }
 )
-"""WOA in the place of its authors' program, by the name of the alternative."""
+"""What a reading changes of WOA as a paper declares it, by the name of the alternative."""
 
 
 def everywhere(
@@ -40,9 +51,26 @@ def everywhere(
 def woa_readings(
     experiments: Iterable[Experiment], *names: str, algorithm: str = "WOA"
 ) -> dict[str, dict[str, Any]]:
-    """Return what the named readings of WOA change, all of them if none is named."""
-    own = tuple(experiments)
-    return {
-        name: {"algorithms": everywhere(own, algorithm, WOA_READINGS[name])}
+    """Return what the named readings of WOA change; if none is named, all but its default.
+
+    A reading keeps what it says nothing of as the experiment declares it, which may be the program
+    or the equations.
+    """
+    own = {
+        (e.name, algorithm): e.algorithms[algorithm]
+        for e in experiments
+        if algorithm in e.algorithms
+    }
+    changes = {
+        name: {cell: _read(declared, WOA_READINGS[name]) for cell, declared in own.items()}
         for name in names or WOA_READINGS
     }
+    return {
+        name: {"algorithms": change} for name, change in changes.items() if names or change != own
+    }
+
+
+def _read(declared: Any, fields: Mapping[str, Any]) -> Any:  # noqa: ANN401
+    """Return WOA with some fields otherwise; its program is `HybridWOA` without additions."""
+    read = (declared if isinstance(declared, HybridWOA) else HybridWOA())(**fields)
+    return WOA() if read == HybridWOA() else read

@@ -32,21 +32,23 @@ def next_tables(
     `values` has shape (repeats, n): every repeat of the protocol. A new run falls into each of the
     N + 1 gaps that stored runs leave with the same chance (B. M. Hill, Journal of the American
     Statistical Association 63 (1968) 677-691, doi:10.1080/01621459.1968.11009286), and n runs of
-    one table share what is not known of these chances (D. B. Rubin, Annals of Statistics 9 (1981)
-    130-134, doi:10.1214/aos/1176345338). So both samples count, theirs of n and ours of N: a mean
-    varies by √(1/n + 1/N), and a new best or worst lies beyond all stored runs with chance
-    n/(N + n), whatever the distribution. Between two stored runs one of the two is taken; beyond
-    the last ones see `_beyond`. No new value is below `floor`, unless stored ones are.
+    one table share what is not known of these chances (Pólya's urn; A. Y. Lo, Annals of Statistics
+    16 (1988) 1684-1695, doi:10.1214/aos/1176351061). So both samples count, theirs of n and ours of
+    N: a mean varies by √(1/n + 1/N), and a new best or worst lies beyond all stored runs with
+    chance n/(N + n), whatever the distribution. Between two stored runs one of the two is taken;
+    beyond the last ones see `_beyond`. No new value is below `floor`, unless stored ones are.
     """
     stored = np.sort(values, axis=None)
     size, n = stored.size, values.shape[-1]
-    gaps = rng.standard_exponential((tables, size + 1))
-    edges = np.cumsum(gaps, axis=1)
-    edges /= edges[:, -1:]
-    # one search for all tables: the edges of table k lie between k and k + 1
-    rows = np.arange(tables)[:, None]
-    where = np.searchsorted((edges + rows).ravel(), (rng.random((tables, n)) + rows).ravel())
-    place = where.reshape(tables, n) - rows * (size + 1)  # 0 below all stored, size above all
+    place = np.empty((n, tables), dtype=np.intp)  # 0 below all stored, size above all
+    rows = np.arange(tables)
+    for k in range(n):
+        # Pólya's urn: one ball per gap, and one more of the gap that each run before fell into
+        ball = rng.integers(0, size + 1 + k, size=tables)
+        place[k] = ball
+        again = ball > size
+        place[k, again] = place[ball[again] - size - 1, rows[again]]
+    place = place.T
     up = rng.random((tables, n)) < 0.5
     found = stored[np.clip(place - 1 + up, 0, size - 1)]
     steps = rng.standard_exponential((tables, n))
@@ -62,25 +64,28 @@ def _beyond(stored: Vector, below: Vector, above: Vector, floor: float) -> tuple
     The excess over an extreme is taken as exponential, with `REACH` times the mean excess of the
     stored runs beyond their median: of the logarithm of the distance from the floor (from 0, where
     none is known), where distances span a decade or more. One run says nothing of how far others
-    lie.
+    lie, and beyond infinity there is nothing.
     """
-    if stored.size < 2:
-        return np.full(below.shape, floor), np.full(above.shape, np.inf)
+    finite = stored[np.isfinite(stored)]
+    least = min(max(floor, 0.0) if stored[0] >= 0.0 else floor, stored[0])
+    if finite.size < 2:
+        return np.full(below.shape, least), np.full(above.shape, np.inf)
     base = floor if np.isfinite(floor) and stored[0] >= floor else 0.0
-    away = stored - base
+    away = finite - base
     if away[0] >= 0.0 and away[-1] > DECADE * away[0]:
         powers = np.log(np.maximum(away, away[away > 0.0][0]))
         low, high = _excesses(powers, below, above)
         with np.errstate(over="ignore"):
-            return base + (np.exp(low) if away[0] > 0.0 else 0.0 * below), base + np.exp(high)
-    low, high = _excesses(stored, below, above)
-    return np.maximum(low, min(floor, stored[0])), high
+            low, high = np.exp(low) * (away[0] > 0.0) + base, np.exp(high) + base
+    else:
+        low, high = _excesses(finite, below, above)
+    return np.maximum(low, least), high if stored[-1] < np.inf else np.full(above.shape, np.inf)
 
 
 def _excesses(values: Vector, below: Vector, above: Vector) -> tuple[Vector, Vector]:
-    half = max(values.size // 2, 1)
+    half = values.size // 2
     middle = float(np.median(values))
-    down, up = middle - values[:half].mean(), values[-half:].mean() - middle
+    down, up = (middle - values[:half]).mean(), (values[-half:] - middle).mean()
     return values[0] - REACH * down * below, values[-1] + REACH * up * above
 
 

@@ -9,7 +9,6 @@ from repro.judge.other_readings import (
     FARTHEST,
     evidence_under_readings,
     fingerprints,
-    reached,
 )
 from repro.judge.verdict import Verdict
 from repro.model.claims import CellClaim
@@ -53,27 +52,26 @@ def evidence(paper: Paper, *, guess: float, **readings: float) -> Evidence:
     return evidence_of(paper, cells | others)
 
 
-def test_contradicted_number_says_what_becomes_of_it_under_each_reading() -> None:
+def test_number_that_a_reading_holds_depends_on_it() -> None:
     paper = open_paper(WIDER)
     found = evidence(paper, guess=5.0, wider=0.05)
 
     mean, *_ = judged(paper, found)
 
-    assert mean.verdict is Verdict.CONTRADICTED
+    assert (mean.verdict, mean.side, mean.turns_on) == (Verdict.DEPENDS, None, ("wider",))
     (outcome,) = mean.readings
     assert (outcome.reading, outcome.verdict) == ("wider", Verdict.REPRODUCED)
-    assert outcome.measured == (0.05, 0.05)
-    assert reached(mean) == ("wider",)
+    assert (outcome.measured, outcome.repeats) == ((0.05, 0.05), 2)
 
 
-def test_reading_that_is_contradicted_too_reaches_nothing() -> None:
+def test_number_that_every_reading_contradicts_is_contradicted() -> None:
     paper = open_paper(WIDER)
     found = evidence(paper, guess=5.0, wider=50.0)
 
     mean, *_ = judged(paper, found)
 
     assert [outcome.side for outcome in mean.readings] == ["higher"]
-    assert reached(mean) == ()
+    assert (mean.verdict, mean.turns_on) == (Verdict.CONTRADICTED, ())
 
 
 def test_no_reading_is_promoted_because_it_fits() -> None:
@@ -83,7 +81,7 @@ def test_no_reading_is_promoted_because_it_fits() -> None:
     plain, *_ = findings_of(paper.claims, found)
     varied, *_ = judged(paper, found)
 
-    assert replace(varied, readings=()) == plain
+    assert (varied.measured, varied.value) == (plain.measured, plain.value)
 
 
 def test_reading_bears_only_on_numbers_whose_runs_it_changes() -> None:
@@ -98,13 +96,14 @@ def test_reading_bears_only_on_numbers_whose_runs_it_changes() -> None:
     }
 
 
-def test_number_that_is_not_contradicted_needs_no_reading() -> None:
+def test_held_number_is_judged_under_every_reading_too() -> None:
     paper = open_paper(WIDER)
-    found = evidence(paper, guess=0.05, wider=0.5)
 
-    mean, *_ = judged(paper, found)
+    agreeing, *_ = judged(paper, evidence(paper, guess=0.05, wider=0.05))
+    opposed, *_ = judged(paper, evidence(paper, guess=0.05, wider=0.5))
 
-    assert (mean.verdict, mean.readings) == (Verdict.REPRODUCED, ())
+    assert (agreeing.verdict, len(agreeing.readings)) == (Verdict.REPRODUCED, 1)
+    assert (opposed.verdict, opposed.turns_on) == (Verdict.DEPENDS, ("wider",))
 
 
 def test_reading_that_was_not_run_says_nothing() -> None:
@@ -120,7 +119,7 @@ def test_reading_of_a_computed_number_needs_no_run() -> None:
 
     mean, *_ = judged(paper, found)
 
-    assert reached(mean) == ("rule",)
+    assert mean.turns_on == ("rule",)
 
 
 @pytest.mark.parametrize(

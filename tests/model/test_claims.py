@@ -111,7 +111,10 @@ def test_computed_cells_are_measured_by_what_their_place_gives() -> None:
 
     claims = computed_cells(MIXED, measure=measure, within=Absolute(0), only=("Std",))
 
-    assert [claim.measure and claim.measure.words for claim in claims] == ["Std, guess", "Std, wide"]
+    assert [claim.measure and claim.measure.words for claim in claims] == [
+        "Std, guess",
+        "Std, wide",
+    ]
 
 
 def test_lowest_everywhere_claims_the_first_rank_on_each_problem() -> None:

@@ -1,3 +1,4 @@
+import math
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -5,8 +6,9 @@ import pytest
 from numpy.typing import NDArray
 
 from repro.errors import DeclarationError
+from repro.functions import FUNCTIONS
 from repro.model.evidence import Evidence, Runs
-from tests.small_papers import EXPERIMENT, PAPER, Bowl, evidence
+from tests.small_papers import EXPERIMENT, PAPER, Bowl, evidence, evidence_of
 
 Vector = NDArray[np.float64]
 CELL = ("search", "bowl", "guess")
@@ -65,7 +67,7 @@ def test_cells_that_were_not_run_are_absent() -> None:
     assert isinstance(found.runs[CELL], Runs)
 
 
-def test_quantity_is_measured_once_for_all_that_ask_and_for_parts() -> None:
+def test_quantity_is_measured_once_for_all_that_ask() -> None:
     asked: list[int] = []
 
     def norm(points: Vector) -> Vector:
@@ -78,18 +80,27 @@ def test_quantity_is_measured_once_for_all_that_ask_and_for_parts() -> None:
         histories=np.zeros((1, 3, 5)),
         evaluations=20,
     )
-    odd, even = (runs.repeats(slice(first, None, 2)) for first in (0, 1))
 
-    found = [part.measured("norm", norm) for part in (odd, runs, even)]
+    first, second = (runs.measured("norm", norm) for _ in range(2))
 
     assert asked == [4]
-    assert (found[0] == found[1][::2]).all()
-    assert (found[2] == found[1][1::2]).all()
+    assert first.shape == (4, 3)
+    assert first is second
 
 
-def test_halves_are_the_odd_and_the_even_repeats_and_share_none() -> None:
-    odd, even = evidence(guess=[[1], [2], [3], [4], [5]], wide=[[6]]).halves()
+def test_floor_is_the_minimum_of_a_function_and_nothing_else() -> None:
+    branin = FUNCTIONS["branin"].problem()
+    experiment = replace(EXPERIMENT, problems={"bowl": Bowl(), "branin": branin})
+    found = evidence_of(replace(PAPER, experiments=(experiment,), results=(), claims=()), {})
 
-    assert odd.values(CELL).ravel().tolist() == [1, 3, 5]
-    assert even.values(CELL).ravel().tolist() == [2, 4]
-    assert list(odd.runs) == list(even.runs) == [CELL]
+    assert found.floor(("search", "branin", "guess")) == branin.function.minimum
+    assert found.floor(("search", "bowl", "guess")) == -math.inf
+    assert found.floor(("elsewhere", "bowl", "guess")) == -math.inf
+
+
+def test_deeper_cells_take_the_place_of_shallow_ones() -> None:
+    found = evidence(guess=[[1, 2]])
+    more = evidence(guess=[[1, 2], [3, 4]]).runs
+
+    assert found.deeper(more).values(CELL).tolist() == [[1, 2], [3, 4]]
+    assert found.values(CELL).tolist() == [[1, 2]]

@@ -1,10 +1,21 @@
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from repro.errors import DeclarationError
-from repro.model import WOA_BY_EQUATIONS, Gap, Paper, everywhere, prose, woa_readings
+from repro.model import (
+    WOA_BY_EQUATIONS,
+    WOA_BY_VECTORS,
+    WOA_READINGS,
+    Gap,
+    Paper,
+    everywhere,
+    prose,
+    woa_readings,
+)
+from repro.optimisers import WOA, Optimiser
 from tests.small_papers import EXPERIMENT
 from tests.small_papers import PAPER as SMALL
 
@@ -49,6 +60,9 @@ CHANGES = {
     "wider": {"algorithms": {("search", "guess"): {"width": 3.0}}},
     "narrower": {"algorithms": {("search", "guess"): {"width": 0.3}}},
 }
+
+
+WITH_WOA = replace(EXPERIMENT, algorithms={"WOA": WOA()})
 
 
 def module(folder: Path, text: str = TEXT, name: str = "doe2021") -> str:
@@ -154,13 +168,38 @@ def test_an_alternative_that_changes_nothing_and_says_not_why_is_refused(tmp_pat
 
 
 def test_readings_of_woa_change_it_wherever_it_runs_and_nothing_else() -> None:
-    found = woa_readings([EXPERIMENT], "WOA by its equations", algorithm="guess")
+    name = "WOA by its equations, numbers"
+    found = woa_readings([EXPERIMENT], name, algorithm="guess")
 
-    assert found == {
-        "WOA by its equations": {"algorithms": {("search", "guess"): WOA_BY_EQUATIONS}}
-    }
+    assert found == {name: {"algorithms": {("search", "guess"): WOA_BY_EQUATIONS}}}
     assert everywhere([EXPERIMENT], "nobody", {}) == {}
-    assert len(woa_readings([EXPERIMENT])) == 5
+
+
+@pytest.mark.parametrize(
+    ("default", "its_own"),
+    [
+        (WOA(), "WOA's program"),
+        (WOA_BY_EQUATIONS, "WOA by its equations, numbers"),
+        (WOA_BY_VECTORS, "WOA by its equations, vectors"),
+    ],
+    ids=repr,
+)
+def test_what_a_paper_takes_for_woa_is_no_other_reading_of_it(
+    default: Optimiser, its_own: str
+) -> None:
+    found = woa_readings([replace(WITH_WOA, algorithms={"WOA": default})])
+
+    assert WOA_READINGS.keys() - found.keys() == {its_own}
+
+
+def test_a_reading_of_woa_keeps_what_it_says_nothing_of() -> None:
+    by_vectors = replace(WITH_WOA, algorithms={"WOA": WOA_BY_VECTORS})
+
+    found = woa_readings([by_vectors], "reflection")
+
+    assert found["reflection"] == {
+        "algorithms": {("search", "WOA"): WOA_BY_VECTORS(bounds="reflect")}
+    }
 
 
 def test_a_source_that_is_no_table_is_refused(tmp_path: Path) -> None:

@@ -6,7 +6,7 @@ from repro.optimisers.libraries import BASELINES
 from repro.optimisers.random_search import RandomSearch
 from repro.runs.baseline_study import BASELINE_RUNS
 from repro.runs.moved_optima import CONTROL, FLOOR
-from repro.runs.plan import plan
+from repro.runs.plan import deeper_tasks, plan
 from repro.runs.studies import Study, kinds_of, studies, study_name
 from tests.runs.test_equal_budget import PROTOCOL
 from tests.small_papers import PAPER
@@ -44,6 +44,28 @@ def test_studies_are_repeated_once_for_ten_repeats_of_the_protocol() -> None:
     }
 
     assert repeats == {2: {1}, 10: {1}, 19: {1}, 20: {2}}
+
+
+def test_reading_at_full_depth_is_repeated_as_the_protocol_is() -> None:
+    (alternative,) = OPEN.alternatives
+    beside = replace(OPEN, alternatives=(replace(alternative, full_depth=True),))
+    paper = replace(PAPER, assumptions=(beside,))
+
+    (reading,) = (study for study in studies(paper, 10) if study.kind == "reading")
+
+    assert reading.repeats == 10
+
+
+def test_deeper_tasks_are_those_of_the_plan_and_more_of_the_same() -> None:
+    others = studies(OPEN_PAPER, 10)
+    cell = ("search [wider]", "bowl", "guess")
+    planned = [task for task in plan([OPEN_PAPER], 10) if task.experiment == cell[0]]
+
+    deeper = deeper_tasks(OPEN_PAPER, others, {cell: 2})
+
+    assert len(deeper) == 2 * len(planned)
+    assert [task.key for task in deeper[: len(planned)]] == [task.key for task in planned]
+    assert {(t.experiment, t.problem, t.algorithm) for t in deeper} == {cell}
 
 
 def test_runs_of_a_study_come_after_every_protocol_and_have_seeds_of_their_own() -> None:

@@ -255,12 +255,14 @@ class Reduction:
     def measure(self, evidence: Evidence) -> Measured:
         """Return the reduction in the first repeat and in tables that may come next."""
         before, after = self.before.measure(evidence), self.after.measure(evidence)
-        if before.value == 0.0 or not np.all(before.draws):
+        if before.value == 0.0:
             message = f"{self.words}: nothing is lower than 0 by a percentage"
             raise DeclarationError(message)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            shares = after.draws / before.draws
         return Measured(
             value=100.0 * (1.0 - after.value / before.value),
-            draws=100.0 * (1.0 - after.draws / before.draws),
+            draws=100.0 * (1.0 - np.where(np.isnan(shares), 1.0, shares)),
             repeats=fewest_repeats(before, after),
             extreme=before.extreme or after.extreme,
         )

@@ -23,7 +23,8 @@ def test_difference_to_runs_varies_with_the_runs() -> None:
     found = Difference(before=BEFORE, after=AFTER).measure(evidence(guess=costs))
 
     assert found.value == pytest.approx(4.0)
-    assert set(found.draws) == {1.0, 2.0, 3.0, 4.0}
+    assert found.draws.max() > 4.0
+    assert {1.0, 2.0, 3.0, 4.0} <= set(found.draws)
     assert found.repeats == 2
 
 

@@ -31,11 +31,33 @@ def test_value_is_that_of_the_first_repeat(name: str, value: float) -> None:
     assert found.repeats == 2
 
 
-def test_draws_are_tables_resampled_from_all_repeats() -> None:
+def test_draws_are_tables_that_may_follow_all_repeats() -> None:
     found = statistic("best").measure(evidence(guess=COSTS))
 
-    assert set(np.unique(found.draws)) == {1, 2, 3, 7, 8, 9}
+    assert {1, 2, 3, 7, 8, 9} <= set(np.unique(found.draws))
+    # the best of three more lies below all six with chance 3/9; the standard error of a share of
+    # 2000 tables is 0.0105 there: 5 of them
+    assert (found.draws < 1).mean() == pytest.approx(1 / 3, abs=0.053)
     assert len(found.draws) == 2000
+
+
+def test_best_and_worst_are_extremes_and_what_is_made_of_them() -> None:
+    costs = evidence(guess=COSTS, wide=COSTS)
+    fixed = Computed(how="as set", value=lambda: 10.0)
+
+    extreme = [
+        measure.measure(costs).extreme
+        for measure in (
+            statistic("best"),
+            statistic("worst"),
+            Rank(of=statistic("best"), among=("guess", "wide")),
+            Reduction(before=fixed, after=statistic("worst")),
+        )
+    ]  # fmt: skip
+
+    assert extreme == [True] * 4
+    assert not statistic("mean").measure(costs).extreme
+    assert not Rank(of=statistic("mean"), among=("guess", "wide")).measure(costs).extreme
 
 
 def test_statistics_of_one_cell_are_drawn_from_the_same_tables() -> None:
@@ -44,7 +66,7 @@ def test_statistics_of_one_cell_are_drawn_from_the_same_tables() -> None:
         for name in ("best", "worst", "mean", "std")
     }
 
-    assert ((found["best"] == found["worst"]) == (found["std"] == 0.0)).all()
+    assert not found["std"][found["best"] == found["worst"]].any()
     assert (found["best"] <= found["mean"] + 1e-12).all()
     assert (found["mean"] <= found["worst"] + 1e-12).all()
 
@@ -164,5 +186,5 @@ def test_reduction_to_runs_varies_with_the_runs() -> None:
     found = Reduction(before=fixed, after=statistic("best")).measure(evidence(guess=COSTS))
 
     assert found.value == pytest.approx(90.0)
-    assert sorted(set(np.round(found.draws))) == [10, 20, 30, 70, 80, 90]
+    assert {10, 20, 30, 70, 80, 90} <= set(np.round(found.draws))
     assert found.repeats == 2
