@@ -83,15 +83,7 @@ def write_report(
 
 def _paper_files(judgement: Judgement, master_seed: str, files: Files) -> Json:
     paper = judgement.paper
-    drawings = [
-        draw(
-            figure,
-            judgement.evidence,
-            anchor(paper.key, figure.label),
-            assumptions=paper.assumptions,
-        )
-        for figure in paper.figures
-    ]
+    drawings = _drawings(judgement)
     entry = paper_result(judgement, master_seed)
     calibrated = calibration()["rows"]
     runs = runs_view(judgement)
@@ -124,6 +116,19 @@ def _paper_files(judgement: Judgement, master_seed: str, files: Files) -> Json:
     files[f"{paper.key}.md"] = render("paper.md", context)
     files |= _tables(paper, found, drawings) | runs.files(paper.key)
     return entry
+
+
+def _drawings(judgement: Judgement) -> list[Drawing]:
+    paper = judgement.paper
+    return [
+        draw(
+            figure,
+            judgement.evidence,
+            anchor(paper.key, figure.label),
+            assumptions=paper.assumptions,
+        )
+        for figure in paper.figures
+    ]
 
 
 def verdict_files() -> Files:

@@ -124,8 +124,13 @@ def share(quantile: float | None, tables: int) -> str:
     return f"{percent:.{digits}f} % of the tables that may come next lie below it"
 
 
-def could_be_off(factor: Unseen) -> str:
-    """Return in words by how much a consistent number could be off and stay consistent."""
+def could_be_off(factor: Unseen, *, in_words: bool = False) -> str:
+    """Return in words by how much a consistent number could be off and stay consistent.
+
+    A statement `in_words` prints no number.
+    """
+    if in_words:
+        return "other tables of such runs go against the statement"
     if factor == "unbounded":
         return "nothing bounds by how much the number could be off unseen"
     return f"the number could be off by a factor of {number(factor, 3)} unseen"

@@ -8,7 +8,7 @@ from repro.audit import AuditRow
 from repro.judge.counting import by_group
 from repro.judge.findings import IN_WORDS, Finding
 from repro.judge.turning import ReadingOutcome
-from repro.judge.verdict import HELD, Verdict
+from repro.judge.verdict import HELD, Verdict, verdict_of
 from repro.model.identifiers import anchor, identifiers
 from repro.model.measures.measure import TABLES
 from repro.report.words import (
@@ -31,7 +31,8 @@ class Shown:
     """One finding as the pages show it.
 
     It stands on `line` of the CSV file that is named by the paper's key and `group`. `unseen` says
-    how far a consistent number could be off, `counted` with what it counts, where that is not by
+    how far a consistent number could be off, `own` what the re-run alone says of one that depends,
+    `counted` with what it counts, where that is not by
     itself; `turns` are the readings on which the verdict turns, among all `readings`.
     """
 
@@ -50,6 +51,7 @@ class Shown:
     group: str
     line: int
     order: float | None
+    own: str = ""
     unseen: str = ""
     counted: str = ""
     readings: tuple["ShownReading", ...] = ()
@@ -59,6 +61,8 @@ class Shown:
     @property
     def brief(self) -> str:
         """What a verdict is worth, in the few words for which a table has room."""
+        if self.finding.unseen is not None and self.finding.printed == IN_WORDS:
+            return "not in every table"
         if self.finding.unseen == "unbounded":
             return "unbounded unseen"
         if self.finding.unseen is not None:
@@ -208,10 +212,21 @@ def _shown(
         group=group,
         line=line,
         order=printed.value if printed else None,
-        unseen="" if finding.unseen is None else could_be_off(finding.unseen),
+        own=_own(finding, printed),
+        unseen="" if finding.unseen is None else could_be_off(finding.unseen, in_words=worded),
         readings=tuple(_shown_reading(other, digits) for other in finding.readings),
         marks=marks,
     )
+
+
+def _own(finding: Finding, printed: Printed | None) -> str:
+    """Return what the re-run alone says, where it is not what is said."""
+    if finding.verdict is not Verdict.DEPENDS or finding.measured is None:
+        return ""
+    ends = finding.accepted
+    if printed:
+        ends = printed.value - printed.rounding, printed.value + printed.rounding
+    return verdict_words(*verdict_of(finding.measured, ends, finding.accepted))
 
 
 def _shown_reading(found: ReadingOutcome, digits: int) -> ShownReading:
