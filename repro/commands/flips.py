@@ -6,14 +6,14 @@ from argparse import Namespace
 from repro.commands.shown_rows import show_json
 from repro.errors import InputError
 from repro.judge.two_results import compare
-from repro.report.results import read_results
+from repro.report.results import read_results_of_any_age
 
 
 def run(options: Namespace) -> int:
     """Print what differs; InputError where a file holds no results."""
     both = []
     for path in (options.first, options.second):
-        found = read_results(path)
+        found = read_results_of_any_age(path)
         if found is None:
             message = f"{path}: no results are there"
             raise InputError(message)

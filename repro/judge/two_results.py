@@ -1,14 +1,14 @@
-"""What another master seed does to the verdicts: two results of the same papers side by side."""
+"""What another master seed, or another version, does to the verdicts: two results side by side."""
 
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from repro.errors import InputError
 from repro.judge.verdict import HELD, Verdict
 
 Json = Mapping[str, Any]
+Place = tuple[str, str]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -29,11 +29,16 @@ class Flip:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TwoResults:
-    """How many verdicts were compared, and those that are not the same."""
+    """How many verdicts were compared, and those that are not the same.
+
+    `only_first` and `only_second` are (paper, place) of what one of the results alone speaks of.
+    """
 
     compared: int
     repeats: tuple[int, int]
     flips: tuple[Flip, ...]
+    only_first: tuple[Place, ...] = ()
+    only_second: tuple[Place, ...] = ()
 
     @property
     def opposite(self) -> tuple[Flip, ...]:
@@ -49,6 +54,8 @@ class TwoResults:
             "opposite": len(self.opposite),
             "changes": dict(Counter(f"{flip.first} → {flip.second}" for flip in self.flips)),
             "flips": [{**asdict(flip), "opposite": flip.opposite} for flip in self.flips],
+            "only_first": [f"{paper}, {place}" for paper, place in self.only_first],
+            "only_second": [f"{paper}, {place}" for paper, place in self.only_second],
         }
 
     def as_text(self) -> str:
@@ -60,29 +67,32 @@ class TwoResults:
         )
         lines = [first]
         lines += [f"{f.paper}, {f.place}: {f.first} → {f.second}" for f in self.flips]
+        for which, places in (("first", self.only_first), ("second", self.only_second)):
+            if places:
+                lines.append(f"{len(places)} in the {which} results alone:")
+                lines += [f"{paper}, {place}" for paper, place in places]
         return "\n".join(lines) + "\n"
 
 
 def compare(first: Json, second: Json) -> TwoResults:
-    """Return how the verdicts of two results.json differ.
-
-    Raises InputError where they do not speak of the same numbers.
-    """
+    """Return how the verdicts of two results.json differ on what both speak of."""
     ours, theirs = dict(_verdicts(first)), dict(_verdicts(second))
-    if ours.keys() != theirs.keys():
-        odd = sorted(ours.keys() ^ theirs.keys())
-        message = f"the results do not speak of the same numbers: {odd[0]} is in one of them only"
-        raise InputError(message)
     flips = tuple(
         Flip(paper=paper, place=place, first=verdict, second=theirs[paper, place])
         for (paper, place), verdict in ours.items()
-        if verdict != theirs[paper, place]
+        if verdict != theirs.get((paper, place), verdict)
     )
     repeats = (first["provenance"]["repeats"], second["provenance"]["repeats"])
-    return TwoResults(compared=len(ours), repeats=repeats, flips=flips)
+    return TwoResults(
+        compared=len(ours.keys() & theirs.keys()),
+        repeats=repeats,
+        flips=flips,
+        only_first=tuple(place for place in ours if place not in theirs),
+        only_second=tuple(place for place in theirs if place not in ours),
+    )
 
 
-def _verdicts(results: Json) -> Iterator[tuple[tuple[str, str], str]]:
+def _verdicts(results: Json) -> Iterator[tuple[Place, str]]:
     for paper in results["papers"]:
         for finding in paper["findings"]:
             place = finding["claim"] or ", ".join(

@@ -1,5 +1,6 @@
 """Writing the reports folder: pages, figures, tables and results.json."""
 
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
@@ -13,6 +14,7 @@ from repro.judge.verdict import Verdict
 from repro.model.identifiers import anchor
 from repro.model.measures.measure import TABLES
 from repro.model.paper import Paper
+from repro.report.calibration import calibration
 from repro.report.drawings.arm_viewer import viewer
 from repro.report.drawings.draw import Drawing, draw
 from repro.report.files import csv_text, usable_folder, write_file
@@ -31,13 +33,23 @@ from repro.report.results import (
     results_text,
     verdict_counts,
 )
+from repro.report.verdict_pages import VERDICTS, verdict_context
 from repro.report.views.baselines import standings_view
+from repro.report.views.calibration import truthful
 from repro.report.views.findings import Shown, everything, table_view, tallies
-from repro.report.views.readings import readings_view
+from repro.report.views.readings import readings_view, settings_of
 from repro.report.views.runs import runs_view
 from repro.report.views.search_box import search_rows
 from repro.report.views.times import time_cells
-from repro.report.words import IMPOSSIBLE, MEANINGS, SYMBOLS, again_command, markdown_cell, number
+from repro.report.words import (
+    IMPOSSIBLE,
+    MEANINGS,
+    RESULTS,
+    SYMBOLS,
+    again_command,
+    markdown_cell,
+    number,
+)
 
 Files = dict[str, str]
 ANOTHER_SEED = "another-seed.json"
@@ -72,7 +84,7 @@ def write_report(
     results = merged(entries, read_results(folder / "results.json"), known)
     files["results.json"] = results_text(results)
     files[PROVENANCE] = results_text(merged_provenance(made, read_json(folder / PROVENANCE), known))
-    files |= index_files(results, read_json(folder / ANOTHER_SEED))
+    files |= index_files(results, read_json(folder / ANOTHER_SEED)) | verdict_files()
     for name, text in files.items():
         write_file(folder / name, text)
     return results
@@ -80,24 +92,20 @@ def write_report(
 
 def _paper_files(judgement: Judgement, master_seed: str, files: Files) -> Json:
     paper = judgement.paper
-    drawings = [
-        draw(
-            figure,
-            judgement.evidence,
-            anchor(paper.key, figure.label),
-            assumptions=paper.assumptions,
-        )
-        for figure in paper.figures
-    ]
+    drawings = _drawings(judgement)
     entry = paper_result(judgement, master_seed)
+    calibrated = calibration()["rows"]
     runs = runs_view(judgement)
-    found = everything(judgement.findings, judgement.audit)
+    found = everything(judgement.findings, judgement.audit, settings_of(paper))
     cells = {(s.finding.table, s.finding.row, s.finding.column): s for s in found}
     times = zip(judgement.certificates, judgement.found_times, strict=True)
     context = {
         "paper": paper,
         "entry": entry,
         "counts": verdict_counts(entry),
+        "shown_counts": Counter(finding.verdict for finding in judgement.findings),
+        "truthful": truthful(judgement, calibrated),
+        "not_calibrated": not calibrated,
         "tallies": tallies(found),
         "results": [table_view(table, cells) for table in paper.results],
         "inputs": [table_view(table, {}) for table in paper.inputs],
@@ -119,15 +127,37 @@ def _paper_files(judgement: Judgement, master_seed: str, files: Files) -> Json:
     return entry
 
 
+def _drawings(judgement: Judgement) -> list[Drawing]:
+    paper = judgement.paper
+    return [
+        draw(
+            figure,
+            judgement.evidence,
+            anchor(paper.key, figure.label),
+            assumptions=paper.assumptions,
+        )
+        for figure in paper.figures
+    ]
+
+
+def verdict_files() -> Files:
+    """Return the pages that say how verdicts are made."""
+    context = verdict_context(calibration())
+    return {f"{VERDICTS}.{kind}": render(f"{VERDICTS}.{kind}", context) for kind in ("html", "md")}
+
+
 def index_files(results: Json, another_seed: Json | None = None) -> Files:
     """Return the index pages and the table of verdicts alone.
 
     `another_seed` is what `repro flips --json` said of these results and those of another seed.
     """
-    papers = results["papers"]
+    # controls first, as they say what the others' verdicts are worth
+    papers = sorted(results["papers"], key=lambda paper: not paper["control"])
     not_run = any(verdict_counts(paper)[Verdict.NOT_RUN] for paper in papers)
     context = {
         "papers": papers,
+        "controls": [paper for paper in papers if paper["control"]],
+        "others": [paper for paper in papers if not paper["control"]],
         "counts_of": verdict_counts,
         "impossible_of": impossible_rows,
         "verdicts": [v for v in Verdict if v != Verdict.NOT_RUN or not_run],
@@ -161,9 +191,9 @@ def _templates(*, markdown: bool) -> Environment:
         "cell": markdown_cell,
     }
     environment.globals |= {"viewer": viewer, "again_command": again_command}
-    environment.globals |= {"level": LEVEL, "resampled_tables": TABLES}
+    environment.globals |= {"level": LEVEL, "tables_drawn": TABLES, "HOW": VERDICTS}
     environment.globals |= {"SYMBOLS": SYMBOLS, "MEANINGS": MEANINGS, "VERDICTS": tuple(Verdict)}
-    environment.globals["IMPOSSIBLE"] = IMPOSSIBLE
+    environment.globals |= {"RESULTS": RESULTS, "IMPOSSIBLE": IMPOSSIBLE}
     return environment
 
 

@@ -11,9 +11,13 @@ from typing import Any
 from repro.judge.counting import counts
 from repro.judge.judgement import Judgement
 from repro.model.paper import Assumption
+from repro.report.calibration import calibration
+from repro.report.plain_rows import rows_of_standings, rows_of_tests
 from repro.tables.rows import Grade
 
 SCHEMA = 2
+BEFORE = 1
+"""The schema of five verdicts, without groups, readings of every number, tests and standings."""
 PROVENANCE = "provenance.json"
 Json = dict[str, Any]
 Environments = list[dict[str, object]]
@@ -26,6 +30,7 @@ def paper_result(judgement: Judgement, master_seed: str) -> Json:
     return {
         "key": paper.key,
         "title": paper.source.title,
+        "control": paper.control,
         "summary": paper.summary,
         "provenance": {
             "repeats": judgement.repeats,
@@ -38,6 +43,8 @@ def paper_result(judgement: Judgement, master_seed: str) -> Json:
         "findings": _plain(judgement.findings),
         "audit": _plain(judgement.audit),
         "certificates": _plain(judgement.certificates),
+        "tests": _finite(rows_of_tests(judgement.tests)),
+        "standings": _finite(rows_of_standings(judgement.standings)),
         "assumptions": [_assumption(assumption) for assumption in paper.assumptions],
         "errata": _plain(paper.errata),
         "gaps": _plain(paper.gaps),
@@ -85,6 +92,7 @@ def merged(fresh: Iterable[Json], old: Json | None, order: Iterable[str]) -> Jso
             "runs": sum(paper["provenance"]["runs"] for paper in papers),
         },
         "papers": papers,
+        "calibration": calibration()["rows"],
     }
 
 
@@ -120,6 +128,15 @@ def read_results(path: Path) -> Json | None:
     """Return the content of an earlier results.json, or None where there is none of this schema."""
     content = read_json(path)
     return content if content and content.get("schema") == SCHEMA else None
+
+
+def read_results_of_any_age(path: Path) -> Json | None:
+    """Return what a results.json of this schema or the one before says; None where it is none.
+
+    Both name findings and their verdicts alike.
+    """
+    content = read_json(path)
+    return content if content and content.get("schema") in {BEFORE, SCHEMA} else None
 
 
 def read_json(path: Path) -> Json | None:

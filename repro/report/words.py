@@ -6,7 +6,7 @@ import shlex
 
 from markupsafe import Markup, escape
 
-from repro.judge.verdict import Verdict
+from repro.judge.verdict import Unseen, Verdict
 from repro.tables.published import Printed
 
 SYMBOLS = {
@@ -19,20 +19,26 @@ SYMBOLS = {
     Verdict.NOT_RUN: "○",
 }
 MEANINGS = {
-    Verdict.REPRODUCED: "whatever such a table shows, it is within the tolerance",
-    Verdict.CONSISTENT: "such a table gives this number, and others outside the tolerance, too",
-    Verdict.UNDECIDED: "such a table does not give this number, but may give one within its "
+    Verdict.REPRODUCED: "whatever a table of such runs shows, it is within the tolerance",
+    Verdict.CONSISTENT: "a table of such runs gives this number, but others outside the tolerance, "
+    "too, so the number could be off by as much and would not be found out",
+    Verdict.UNDECIDED: "a table of such runs hardly gives this number, but may give one within the "
     "tolerance",
     Verdict.DEPENDS: "a reading that the text allows, or a setting that it does not print, turns "
-    "it between held and contradicted",
-    Verdict.CONTRADICTED: "no such table comes within the tolerance, under any reading or "
-    "setting that was tried",
+    "it between held (reproduced or consistent) and contradicted",
+    Verdict.CONTRADICTED: "a table of such runs hardly comes within the tolerance, and no reading "
+    "or setting that was tried makes the number hold",
     Verdict.NOT_REPRODUCIBLE: "the paper does not print what a re-run needs",
     Verdict.NOT_RUN: "the runs are not in the store",
 }
 IMPOSSIBLE = (
     "no runs in single or double precision, summed in any usual order, rounded or cut off, give "
     "what is printed"
+)
+RESULTS = (
+    "What one sentence, one constraint or one slip decides is one result, however many numbers "
+    "show it, and as a whole it has the gravest verdict among them. Inputs, and what is true by "
+    "definition, are shown and not counted."
 )
 
 
@@ -59,11 +65,20 @@ def digits_for(printed: Printed) -> int:
 
 
 def interval(pair: tuple[float, float] | None, digits: int = 4) -> str:
-    """Return two numbers as an interval, or one where they are equal to the digits shown."""
+    """Return two numbers as an interval, or one where they are equal to the digits shown.
+
+    Ends that are not there are infinite.
+    """
     if pair is None:
         return "–"
-    low, high = number(pair[0], digits), number(pair[1], digits)
+    low, high = (_end(end, digits) for end in pair)
     return low if low == high else f"{low} … {high}"
+
+
+def _end(end: float, digits: int) -> str:
+    if math.isinf(end):
+        return "∞" if end > 0 else "−∞"
+    return number(end, digits)
 
 
 def difference(printed: Printed, value: float | None) -> str:
@@ -101,15 +116,37 @@ def verdict_words(verdict: str, side: str | None) -> str:
 
 
 def share(quantile: float | None, tables: int) -> str:
-    """Return in words how many of so many re-run tables lie below the printed number."""
+    """Return in words how many of so many tables that may come next are below what is printed."""
     if quantile is None:
         return "–"
     if quantile <= 0:
-        return f"none of the {tables} re-run tables lies below the printed number"
+        return f"none of {tables} tables that may come next lies below the printed number"
     if quantile >= 1:
-        return f"all of the {tables} re-run tables lie below the printed number"
+        return f"all of {tables} tables that may come next lie below the printed number"
     percent = 100 * quantile
-    return f"{percent:.{1 if 1 <= percent <= 99 else 2}f} % of the re-run tables lie below it"
+    digits = 1 if 1 <= percent <= 99 else 2
+    return f"{percent:.{digits}f} % of the tables that may come next lie below it"
+
+
+def could_be_off(factor: Unseen, *, in_words: bool = False) -> str:
+    """Return in words by how much a consistent number could be off and stay consistent.
+
+    A statement `in_words` prints no number.
+    """
+    if in_words:
+        return "other tables of such runs go against the statement"
+    if factor == "unbounded":
+        return "nothing bounds by how much the number could be off unseen"
+    return f"the number could be off by a factor of {number(factor, 3)} unseen"
+
+
+def counted(group: str | None, others: int) -> str:
+    """Return in words what a finding counts with; nothing where it counts by itself."""
+    if group is None:
+        return "input or true by definition: shown, not counted"
+    if not others:
+        return ""
+    return f"counts once with {others} other{'s' if others > 1 else ''}: {group}"
 
 
 def markdown_cell(text: object) -> str:

@@ -2,7 +2,6 @@ from typing import Any
 
 import pytest
 
-from repro.errors import InputError
 from repro.judge.two_results import compare
 
 
@@ -37,12 +36,15 @@ def test_equal_results_have_no_flip() -> None:
     ("first", "second", "opposite"),
     [
         (("reproduced", None), ("contradicted", "lower"), True),
-        (("contradicted", "lower"), ("contradicted", "higher"), True),
+        (("contradicted", "lower"), ("consistent", None), True),
+        (("contradicted", "lower"), ("contradicted", "higher"), False),
+        (("depends", None), ("contradicted", "higher"), False),
+        (("reproduced", None), ("consistent", None), False),
         (("reproduced", None), ("undecided", None), False),
         (("undecided", None), ("contradicted", "higher"), False),
     ],
 )
-def test_only_two_decided_verdicts_are_opposite(
+def test_only_held_and_contradicted_are_opposite(
     first: tuple[str, str | None], second: tuple[str, str | None], *, opposite: bool
 ) -> None:
     found = compare(results(first), results(second))
@@ -52,6 +54,16 @@ def test_only_two_decided_verdicts_are_opposite(
     assert found.flips[0].place == "Table 1, F1, WOA (p. 3)"
 
 
-def test_results_of_other_numbers_are_refused() -> None:
-    with pytest.raises(InputError, match="do not speak of the same numbers"):
-        compare(results(("reproduced", None)), results())
+def test_what_one_of_the_results_alone_speaks_of_is_said_and_not_compared() -> None:
+    fewer = results(("reproduced", None))
+    more = results(("reproduced", None), ("undecided", None))
+
+    found = compare(fewer, more)
+
+    assert (found.compared, found.flips, found.only_first) == (1, (), ())
+    assert found.only_second == (("doe2021", "Table 1, F2, WOA (p. 3)"),)
+    assert found.as_json()["only_second"] == ["doe2021, Table 1, F2, WOA (p. 3)"]
+    assert compare(more, fewer).as_text().splitlines()[1:] == [
+        "1 in the first results alone:",
+        "doe2021, Table 1, F2, WOA (p. 3)",
+    ]

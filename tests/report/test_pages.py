@@ -7,7 +7,9 @@ from pathlib import Path
 import pytest
 
 from repro.commands.written_pages import write_pages
+from repro.judge.verdict import Verdict
 from repro.report.pages import index_files
+from repro.report.words import SYMBOLS
 from repro.runs.plan import plan
 from repro.runs.store.store import Store
 from tests.doe2021 import PAPER
@@ -16,8 +18,9 @@ from tests.made_up import pages_of
 GOLDEN = Path(__file__).parents[1] / "golden" / "doe2021.md"
 FINDING = {
     *("table", "row", "column", "claim", "where", "printed", "unit", "measured", "value"),
-    *("accepted", "verdict", "side", "note"),
+    *("accepted", "verdict", "side", "note", "readings", "turns_on", "unseen", "group"),
 }
+READING = {"reading", "verdict", "side", "measured", "repeats"}
 AUDIT = {"paper", "table", "row", "column", "check", "grade", "explanation", "condition"}
 CERTIFICATE = {
     *("paper", "problem", "minimum", "lower_bound", "attained", "method", "at", "binding"),
@@ -25,9 +28,21 @@ CERTIFICATE = {
 }
 
 
+CALIBRATED = {
+    "rows": [
+        {"repeats": 1, "statistic": name, "factor": 1, "verdict": "consistent", "share": 1.0}
+        for name in ("best", "worst", "mean", "std")
+    ],
+    "coverage": [],
+    "by": {"runs": "none: these shares are invented"},
+}
+
+
 @pytest.fixture(scope="module")
 def pages(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
-    return pages_of(tmp_path_factory.mktemp("doe"))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("repro.report.pages.calibration", lambda: CALIBRATED)
+        return pages_of(tmp_path_factory.mktemp("doe"))
 
 
 class Page(HTMLParser):
@@ -60,14 +75,77 @@ def test_the_markdown_page_is_the_one_that_a_person_read(pages: dict[str, str]) 
 
 def test_results_follow_the_contract(pages: dict[str, str]) -> None:
     results = json.loads(pages["results.json"])
-    assert results["schema"] == 1
+    assert results["schema"] == 2
     (entry,) = results["papers"]
     assert entry["key"] == "doe2021"
-    assert len(entry["findings"]) == len(PAPER.claims)
+    assert len(entry["findings"]) == len(PAPER.said)
     assert all(set(finding) >= FINDING for finding in entry["findings"])
     assert all(set(row) >= AUDIT for row in entry["audit"])
     assert all(set(row) >= CERTIFICATE for row in entry["certificates"])
-    assert {"assumptions", "errata", "gaps", "title"} <= set(entry)
+    assert {"assumptions", "errata", "gaps", "title", "tests", "standings"} <= set(entry)
+    for finding in entry["findings"]:
+        assert finding["verdict"] in set(Verdict)
+        assert all(set(outcome) == READING for outcome in finding["readings"])
+        unseen = finding["unseen"]
+        assert (finding["verdict"] == "consistent") == (unseen is not None)
+        assert unseen in {None, "unbounded"} or unseen >= 1.0
+
+
+def test_an_older_results_json_is_written_anew(tmp_path: Path) -> None:
+    reports = tmp_path / "reports"
+    reports.mkdir()
+    (reports / "results.json").write_text(
+        '{"schema": 1, "provenance": {}, "papers": [{"key": "roe2022", "findings": []}]}'
+    )
+
+    results = json.loads(pages_of(tmp_path)["results.json"])
+
+    assert results["schema"] == 2
+    assert [entry["key"] for entry in results["papers"]] == ["doe2021"]
+
+
+@pytest.mark.parametrize("name", ["index.html", "index.md"])
+def test_controls_come_first_and_are_called_so(tmp_path: Path, name: str) -> None:
+    control = replace(PAPER, key="roe2022", control=True)
+    plain, controlled = pages_of(tmp_path / "a"), pages_of(tmp_path / "b", control, repeats=1)
+    both = [json.loads(pages["results.json"])["papers"][0] for pages in (plain, controlled)]
+
+    index = index_files({"papers": both})[name]
+
+    assert index.index("roe2022.") < index.index("doe2021.")
+    called = "(control)" if name == "index.md" else '<h2 id="controls">'
+    assert called in index
+    assert called not in plain[name]
+
+
+@pytest.mark.parametrize("kind", ["html", "md"])
+def test_every_page_leads_to_how_verdicts_are_made(pages: dict[str, str], kind: str) -> None:
+    for page in (pages[f"index.{kind}"], pages[f"doe2021.{kind}"]):
+        assert f"how-verdicts-are-made.{kind}" in page
+    how = pages[f"how-verdicts-are-made.{kind}"]
+    assert all(f"{SYMBOLS[verdict]}" in how and verdict in how for verdict in Verdict)
+
+
+@pytest.mark.parametrize("kind", ["html", "md"])
+def test_a_paper_says_what_a_truthful_one_would_have_scored(
+    pages: dict[str, str], kind: str
+) -> None:
+    would = "0 reproduced, 6 consistent, 0 undecided, 0 contradicted of these 6 cells"
+    assert would in pages[f"doe2021.{kind}"]
+    assert "these shares are invented" in pages[f"how-verdicts-are-made.{kind}"]
+
+
+def test_without_a_calibration_pages_say_so(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(
+        "repro.report.pages.calibration", lambda: {"rows": [], "coverage": [], "by": {}}
+    )
+
+    pages = pages_of(tmp_path, repeats=1)
+
+    for name in ("doe2021.html", "doe2021.md", "how-verdicts-are-made.html"):
+        assert "not calibrated yet" in pages[name]
 
 
 def test_flag_marks_what_no_runs_whatever_give_and_nothing_else(pages: dict[str, str]) -> None:
@@ -91,7 +169,7 @@ def test_flag_marks_what_no_runs_whatever_give_and_nothing_else(pages: dict[str,
 
 
 def test_a_page_loads_nothing_and_every_link_leads_somewhere(pages: dict[str, str]) -> None:
-    for name in ("doe2021.html", "index.html"):
+    for name in ("doe2021.html", "index.html", "how-verdicts-are-made.html"):
         page = Page(pages[name])
         assert [place for place in page.loaded if not place.startswith(("#", "data:"))] == []
         for link in page.links:
@@ -130,8 +208,10 @@ def test_every_verdict_is_shown_by_word_and_symbol(pages: dict[str, str]) -> Non
     verdicts = {finding["verdict"] for finding in results["papers"][0]["findings"]}
     assert len(verdicts) >= 3
     for verdict in verdicts:
-        assert re.search(rf"[✔✖≈∅○] {verdict}", pages["doe2021.html"])
-        assert re.search(rf"[✔✖≈∅○] {verdict}", pages["doe2021.md"])
+        assert re.search(
+            rf"{re.escape(SYMBOLS[Verdict(verdict)])} {verdict}", pages["doe2021.html"]
+        )
+        assert re.search(rf"{re.escape(SYMBOLS[Verdict(verdict)])} {verdict}", pages["doe2021.md"])
 
 
 def test_every_table_and_figure_has_its_csv(pages: dict[str, str]) -> None:
@@ -176,12 +256,12 @@ def test_index_says_what_another_master_seed_changes(pages: dict[str, str]) -> N
         "repeats": [2, 2],
         "same": 8,
         "opposite": 0,
-        "changes": {"reproduced → undecided": 1},
+        "changes": {"consistent → undecided": 1},
         "flips": [],
     }
 
     for name in ("index.html", "index.md"):
         index = index_files(results, told)[name]
-        assert "reproduced → undecided (1)" in index
+        assert "consistent → undecided (1)" in index
         assert "another-seed.json" in index
         assert "another-seed.json" not in index_files(results)[name]

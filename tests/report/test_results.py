@@ -2,7 +2,14 @@ from pathlib import Path
 
 import pytest
 
-from repro.report.results import merged, merged_provenance, read_results, results_text
+from repro.report.calibration import calibration
+from repro.report.results import (
+    merged,
+    merged_provenance,
+    read_results,
+    read_results_of_any_age,
+    results_text,
+)
 
 
 def entry(key: str, runs: int = 1) -> dict[str, object]:
@@ -28,6 +35,19 @@ def test_a_file_that_is_no_results_is_taken_as_none(tmp_path: Path) -> None:
     assert read_results(path) is None
     path.write_text('{"schema": 99}')
     assert read_results(path) is None
+    assert read_results_of_any_age(path) is None
+
+
+def test_results_of_the_schema_before_are_compared_and_not_taken_over(tmp_path: Path) -> None:
+    path = tmp_path / "results.json"
+    path.write_text('{"schema": 1, "papers": []}')
+
+    assert read_results(path) is None
+    assert read_results_of_any_age(path) == {"schema": 1, "papers": []}
+
+
+def test_the_calibration_is_copied_whole() -> None:
+    assert merged([], None, [])["calibration"] == calibration()["rows"]
 
 
 def test_provenance_of_papers_that_are_not_redone_is_kept_and_that_of_gone_ones_is_not() -> None:

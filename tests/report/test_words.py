@@ -4,9 +4,14 @@ import shlex
 
 import pytest
 
+from repro.judge.verdict import Unseen, Verdict
 from repro.model.identifiers import anchor, identifiers
 from repro.report.words import (
+    MEANINGS,
+    SYMBOLS,
     again_command,
+    could_be_off,
+    counted,
     difference,
     digits_for,
     interval,
@@ -48,6 +53,44 @@ def test_an_interval_of_equal_digits_is_one_number() -> None:
     assert interval((1.00001, 1.00002)) == "1.000"
     assert interval((1.0, 2.0)) == "1 … 2"
     assert interval(None) == "–"
+
+
+def test_an_end_that_is_not_there_is_infinite() -> None:
+    assert interval((-math.inf, 2.0)) == "−∞ … 2"
+    assert interval((0.0, math.inf)) == "0 … ∞"
+
+
+def test_every_verdict_has_a_symbol_of_its_own_and_a_meaning() -> None:
+    assert set(SYMBOLS) == set(MEANINGS) == set(Verdict)
+    assert len(set(SYMBOLS.values())) == len(Verdict)
+
+
+@pytest.mark.parametrize(
+    ("factor", "words"),
+    [
+        (3.2, "the number could be off by a factor of 3.20 unseen"),
+        ("unbounded", "nothing bounds by how much the number could be off unseen"),
+    ],
+)
+def test_how_far_a_consistent_number_could_be_off_is_said(factor: Unseen, words: str) -> None:
+    assert could_be_off(factor) == words
+
+
+def test_a_statement_in_words_is_off_by_no_factor() -> None:
+    assert could_be_off(2.0, in_words=True) == "other tables of such runs go against the statement"
+
+
+@pytest.mark.parametrize(
+    ("group", "others", "words"),
+    [
+        (None, 0, "input or true by definition: shown, not counted"),
+        ("limits", 0, ""),
+        ("limits", 1, "counts once with 1 other: limits"),
+        ("limits", 9, "counts once with 9 others: limits"),
+    ],
+)
+def test_what_a_finding_counts_with_is_said(group: str | None, others: int, words: str) -> None:
+    assert counted(group, others) == words
 
 
 @pytest.mark.parametrize(
@@ -94,10 +137,10 @@ def test_identifiers_are_all_different_whatever_the_names_are() -> None:
     ("quantile", "words"),
     [
         (None, "–"),
-        (0.0, "none of the 2000 re-run tables lies below the printed number"),
-        (1.0, "all of the 2000 re-run tables lie below the printed number"),
-        (0.25, "25.0 % of the re-run tables lie below it"),
-        (0.99975, "99.98 % of the re-run tables lie below it"),
+        (0.0, "none of 2000 tables that may come next lies below the printed number"),
+        (1.0, "all of 2000 tables that may come next lie below the printed number"),
+        (0.25, "25.0 % of the tables that may come next lie below it"),
+        (0.99975, "99.98 % of the tables that may come next lie below it"),
     ],
 )
 def test_a_quantile_is_said_as_a_share_of_tables(quantile: float | None, words: str) -> None:

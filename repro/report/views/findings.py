@@ -2,13 +2,25 @@
 
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from repro.audit import AuditRow
+from repro.judge.counting import by_group
 from repro.judge.findings import IN_WORDS, Finding
+from repro.judge.turning import ReadingOutcome
+from repro.judge.verdict import HELD, Verdict, verdict_of
 from repro.model.identifiers import anchor, identifiers
 from repro.model.measures.measure import TABLES
-from repro.report.words import difference, digits_for, interval, number, share, verdict_words
+from repro.report.words import (
+    could_be_off,
+    counted,
+    difference,
+    digits_for,
+    interval,
+    number,
+    share,
+    verdict_words,
+)
 from repro.tables.published import UNITS, Printed, PublishedTable
 
 Place = tuple[str | None, str | None, str | None]
@@ -18,7 +30,10 @@ Place = tuple[str | None, str | None, str | None]
 class Shown:
     """One finding as the pages show it.
 
-    It stands on `line` of the CSV file that is named by the paper's key and `group`.
+    It stands on `line` of the CSV file that is named by the paper's key and `group`. `unseen` says
+    how far a consistent number could be off, `own` what the re-run alone says of one that depends,
+    `counted` with what it counts, where that is not by
+    itself; `turns` are the readings on which the verdict turns, among all `readings`.
     """
 
     finding: Finding
@@ -36,7 +51,11 @@ class Shown:
     group: str
     line: int
     order: float | None
+    own: str = ""
+    unseen: str = ""
+    counted: str = ""
     readings: tuple["ShownReading", ...] = ()
+    turns: tuple["Turn", ...] = ()
     marks: tuple[AuditRow, ...] = ()
 
     @property
@@ -44,20 +63,53 @@ class Shown:
         """Whether no runs whatever give the printed number."""
         return any(row.is_proof for row in self.marks)
 
+    @property
+    def brief(self) -> str:
+        """What a verdict is worth, in the few words for which a table has room."""
+        if self.finding.unseen is not None and self.finding.printed == IN_WORDS:
+            return "not in every table"
+        if self.finding.unseen == "unbounded":
+            return "unbounded unseen"
+        if self.finding.unseen is not None:
+            return f"×{number(self.finding.unseen, 3)} unseen"
+        if len(self.turns) > 1:
+            return f"on {len(self.turns)} readings or settings"
+        return f"on {self.turns[0].name}" if self.turns else ""
+
+    @property
+    def tried(self) -> str:
+        """Under how many of the readings that were tried the number holds, as a sentence."""
+        held, tried = sum(one.held for one in self.readings), len(self.readings)
+        were = "reading that was" if tried == 1 else "readings that were"
+        return f"it holds under {held or 'none'} of {tried} {were} tried besides"
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ShownReading:
-    """What becomes of a contradicted number under another reading, as the pages show it."""
+    """What becomes of a number under another reading, as the pages show it."""
 
     reading: str
     measured: str
     verdict: str
     kind: str
+    repeats: int
+    held: bool
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Turn:
+    """A reading or setting on which a verdict turns, and what comes out under it.
+
+    A setting has several outcomes: that of each value that was tried.
+    """
+
+    name: str
+    outcomes: tuple[ShownReading, ...]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Tally:
-    """How many findings of one table, or of the claims (no label), have each verdict."""
+    """How many results of one table, or of the claims (no label), have each verdict."""
 
     label: str
     anchor: str
@@ -78,10 +130,18 @@ class Table:
     judged: bool
 
 
-def everything(findings: Sequence[Finding], rows: Iterable[AuditRow]) -> list[Shown]:
-    """Return every finding in the words and digits of the pages, with the audit rows on it."""
+def everything(
+    findings: Sequence[Finding],
+    rows: Iterable[AuditRow],
+    settings: Mapping[str, Sequence[str]] | None = None,
+) -> list[Shown]:
+    """Return every finding in the words and digits of the pages, with the audit rows on it.
+
+    `settings` names the readings that are values of each open setting.
+    """
     marks = marks_by_cell(rows)
     names = identifiers((f.table or "claim", f.row, f.column, f.claim) for f in findings)
+    together = Counter(finding.group for finding in findings)
     lines: Counter[str] = Counter()
     found = []
     for name, finding in zip(names, findings, strict=True):
@@ -89,20 +149,49 @@ def everything(findings: Sequence[Finding], rows: Iterable[AuditRow]) -> list[Sh
         lines[group] += 1
         cell = (finding.table, finding.row, finding.column)
         own = tuple(marks.get(cell, ())) if finding.table else ()
-        found.append(_shown(finding, name, group, lines[group] + 1, own))
+        shown = _shown(finding, name, group, lines[group] + 1, own)
+        found.append(
+            replace(
+                shown,
+                counted=counted(finding.group, together[finding.group] - 1),
+                turns=_turns(finding, shown.readings, settings or {}),
+            )
+        )
     return found
 
 
 def tallies(found: Iterable[Shown]) -> list[Tally]:
-    """Return the verdict counts of each results table, and of the claims, in printed order."""
-    counts: dict[tuple[str, str], Counter[str]] = {}
-    for one in found:
-        place = (one.finding.table or "", one.group)
-        counts.setdefault(place, Counter())[one.finding.verdict] += 1
+    """Return the counts of results of each table, and of the claims, in printed order.
+
+    What shows in several tables counts in each of them once, by the verdict that it has in all.
+    """
+    shown = list(found)
+    verdicts = by_group((one.finding.group, one.finding.verdict) for one in shown)
+    groups: dict[tuple[str, str], dict[str, Verdict]] = {}
+    for one in shown:
+        own = groups.setdefault((one.finding.table or "", one.group), {})
+        if one.finding.group is not None:
+            own[one.finding.group] = verdicts[one.finding.group]
     return [
-        Tally(label=label, anchor=group, counts=own, total=own.total())
-        for (label, group), own in counts.items()
+        Tally(label=label, anchor=group, counts=Counter(own.values()), total=len(own))
+        for (label, group), own in groups.items()
     ]
+
+
+def _turns(
+    finding: Finding, readings: Sequence[ShownReading], settings: Mapping[str, Sequence[str]]
+) -> tuple[Turn, ...]:
+    return tuple(
+        Turn(
+            name=name,
+            outcomes=tuple(
+                one
+                for one in readings
+                if one.reading == name or one.reading in settings.get(name, ())
+            ),
+        )
+        for name in finding.turns_on
+    )
 
 
 def _shown(
@@ -128,16 +217,31 @@ def _shown(
         group=group,
         line=line,
         order=printed.value if printed else None,
-        readings=tuple(
-            ShownReading(
-                reading=other.reading,
-                measured=interval(other.measured, digits),
-                verdict=verdict_words(other.verdict, other.side),
-                kind=anchor(other.verdict),
-            )
-            for other in finding.readings
-        ),
+        own=_own(finding, printed),
+        unseen="" if finding.unseen is None else could_be_off(finding.unseen, in_words=worded),
+        readings=tuple(_shown_reading(other, digits) for other in finding.readings),
         marks=marks,
+    )
+
+
+def _own(finding: Finding, printed: Printed | None) -> str:
+    """Return what the re-run alone says, where it is not what is said."""
+    if finding.verdict is not Verdict.DEPENDS or finding.measured is None:
+        return ""
+    ends = finding.accepted
+    if printed:
+        ends = printed.value - printed.rounding, printed.value + printed.rounding
+    return verdict_words(*verdict_of(finding.measured, ends, finding.accepted))
+
+
+def _shown_reading(found: ReadingOutcome, digits: int) -> ShownReading:
+    return ShownReading(
+        reading=found.reading,
+        measured=interval(found.measured, digits),
+        verdict=verdict_words(found.verdict, found.side),
+        kind=anchor(found.verdict),
+        repeats=found.repeats,
+        held=found.verdict in HELD,
     )
 
 

@@ -1,67 +1,104 @@
 """What the pages say of the other readings of a paper."""
 
-from collections import Counter
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from repro.judge.judgement import Judgement
 from repro.judge.other_readings import AS_CHOSEN, Print
+from repro.judge.turning import ReadingOutcome
 from repro.judge.verdict import Verdict
 from repro.model.identifiers import anchor
+from repro.model.paper import Paper
 from repro.report.words import number
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ReadingRow:
-    """One reading: its name, what it departs from, and how many contradicted numbers it reaches."""
+    """One reading: its name and what it departs from.
+
+    It bears on `bears` numbers and claims and turns `turns` of them; `repeats` says in how many
+    repeats of the protocol it was run, of which some of its cells may have more; `open` that it is
+    a value of a setting that the text leaves wholly open.
+    """
 
     name: str
     anchor: str
     says: str
-    tried: int
-    reached: int
+    open: bool
+    bears: int
+    turns: int
+    repeats: str
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ReadingsView:
-    """Other readings, how the contradicted numbers fare, and the fingerprint of each column.
+    """Other readings, how the numbers fare under them, and the fingerprint of each column.
 
-    `within_reach` numbers are not contradicted under some reading, `out_of_reach` ones are under
-    every reading that bears on them; no reading bears on `untouched` ones.
+    Of `judged` numbers and claims that are run or computed, readings bear on `touched`; `depends`
+    turn on one, `contradicted` are so under everything that was tried, which for `untouched` of
+    them is the re-run alone.
     """
 
     rows: tuple[ReadingRow, ...]
+    judged: int
+    touched: int
+    depends: int
     contradicted: int
-    within_reach: int
-    out_of_reach: int
     untouched: int
     prints: tuple[tuple[str, ...], ...]
 
 
 def readings_view(judgement: Judgement) -> ReadingsView:
     """Return what is shown of the readings of one paper."""
-    paper = judgement.paper
-    contradicted = [f for f in judgement.findings if f.verdict is Verdict.CONTRADICTED]
-    tried = Counter(outcome.reading for f in contradicted for outcome in f.readings)
-    hits = Counter(name for f in judgement.findings for name in f.turns_on)
-    within = sum(f.verdict is Verdict.DEPENDS for f in judgement.findings)
-    untouched = sum(not f.readings for f in contradicted)
+    paper, findings = judgement.paper, judgement.findings
+    contradicted = [f for f in findings if f.verdict is Verdict.CONTRADICTED]
+    by_name: dict[str, list[ReadingOutcome]] = {}
+    for finding in findings:
+        for outcome in finding.readings:
+            by_name.setdefault(outcome.reading, []).append(outcome)
+    settings = settings_of(paper)
+    turned = [
+        {reading for name in f.turns_on for reading in (name, *settings.get(name, ()))}
+        for f in findings
+    ]
     return ReadingsView(
         rows=tuple(
             ReadingRow(
-                name=each.reading.name,
-                anchor=anchor(paper.key, "reading", each.reading.name),
+                name=name,
+                anchor=anchor(paper.key, "reading", name),
                 says=each.reading.says,
-                tried=tried[each.reading.name],
-                reached=hits[each.reading.name],
+                open=all(assumption.open for assumption in each.reading.of),
+                bears=len(by_name.get(name, ())),
+                turns=sum(name in names for names in turned),
+                repeats=_repeats(by_name.get(name, ())),
             )
             for each in judgement.readings
+            for name in [each.reading.name]
         ),
+        judged=sum(f.measured is not None for f in findings),
+        touched=sum(bool(f.readings) for f in findings),
+        depends=sum(f.verdict is Verdict.DEPENDS for f in findings),
         contradicted=len(contradicted),
-        within_reach=within,
-        out_of_reach=len(contradicted) - within - untouched,
-        untouched=untouched,
+        untouched=sum(not f.readings for f in contradicted),
         prints=tuple(_print_row(each) for each in judgement.prints if each.others),
     )
+
+
+def settings_of(paper: Paper) -> Mapping[str, tuple[str, ...]]:
+    """Return the names of the readings that are values of each open setting, by what it sets."""
+    return {
+        assumption.what: tuple(each.name for each in assumption.alternatives if each.changes)
+        for assumption in paper.assumptions
+        if assumption.open
+    }
+
+
+def _repeats(outcomes: Sequence[ReadingOutcome]) -> str:
+    """Return how deep a reading was run; what needs no run has no repeats."""
+    depths = sorted({outcome.repeats for outcome in outcomes} - {0})
+    if not depths:
+        return "–"
+    return f"{depths[0]}" if len(depths) == 1 else f"{depths[0]} to {depths[-1]}"
 
 
 def _print_row(each: Print) -> tuple[str, ...]:

@@ -1,5 +1,86 @@
+from dataclasses import replace
+from typing import Any
+
 from repro.audit import AuditRow, Grade
-from repro.report.views.findings import marks_by_cell
+from repro.judge.findings import Finding
+from repro.judge.turning import ReadingOutcome
+from repro.judge.verdict import Verdict
+from repro.report.views.findings import everything, marks_by_cell, tallies
+
+
+def finding(row: str, **changes: Any) -> Finding:  # noqa: ANN401 (of each field its own)
+    own = Finding(
+        table="Table 2", row=row, column="WOA", claim=None, where="p. 5", printed="2.0", unit="",
+        measured=(3.0, 4.0), value=3.5, accepted=(1.5, 2.5), verdict=Verdict.CONTRADICTED,
+        side="higher", note="", repeats=10, group=row,
+    )  # fmt: skip
+    return replace(own, **changes)
+
+
+def outcome(name: str, verdict: Verdict, side: str | None = None) -> ReadingOutcome:
+    return ReadingOutcome(reading=name, verdict=verdict, side=side, measured=(1.0, 4.0), repeats=4)
+
+
+def test_what_turns_a_verdict_stands_with_its_outcome_and_all_that_was_tried_is_counted() -> None:
+    tried = (
+        outcome("scalar", Verdict.CONSISTENT),
+        outcome("clipped", Verdict.CONTRADICTED, "higher"),
+    )
+
+    (shown,) = everything(
+        [finding("F1", verdict=Verdict.DEPENDS, side=None, readings=tried, turns_on=("scalar",))],
+        [],
+    )
+
+    ((turn),) = shown.turns
+    assert (turn.name, [one.verdict for one in turn.outcomes]) == ("scalar", ["≈ consistent"])
+    assert shown.own == "✖ contradicted (higher)"
+    assert shown.brief == "on scalar"
+    assert shown.tried == "it holds under 1 of 2 readings that were tried besides"
+    assert [one.repeats for one in shown.readings] == [4, 4]
+
+
+def test_a_setting_that_turns_a_verdict_stands_with_the_outcome_of_each_value() -> None:
+    tried = (
+        outcome("t30", Verdict.CONTRADICTED, "lower"),
+        outcome("t90", Verdict.CONTRADICTED, "higher"),
+    )
+    found = finding("F1", verdict=Verdict.DEPENDS, readings=tried, turns_on=("iterations",))
+
+    (shown,) = everything([found], [], {"iterations": ("t30", "t90")})
+
+    assert [one.reading for one in shown.turns[0].outcomes] == ["t30", "t90"]
+
+
+def test_none_of_the_readings_that_were_tried_is_said_with_their_number() -> None:
+    found = finding("F1", readings=(outcome("scalar", Verdict.CONTRADICTED, "lower"),))
+
+    (shown,) = everything([found], [])
+
+    assert shown.tried == "it holds under none of 1 reading that was tried besides"
+
+
+def test_results_are_tallied_once_in_each_table_and_uncounted_ones_nowhere() -> None:
+    held = {"verdict": Verdict.REPRODUCED, "side": None}
+    found = [
+        finding("F1", group="limits"),
+        finding("F2", group="limits", **held),
+        finding("F3", table="Table 3", group="limits", **held),
+        finding("F4", table="Table 3", **held),
+        finding("F5", table="Table 3", group=None),
+    ]
+
+    shown = everything(found, [])
+
+    assert [(t.label, t.total, dict(t.counts)) for t in tallies(shown)] == [
+        ("Table 2", 1, {"contradicted": 1}),
+        ("Table 3", 2, {"contradicted": 1, "reproduced": 1}),
+    ]
+    assert [one.counted for one in shown] == [
+        *(3 * ["counts once with 2 others: limits"]),
+        "",
+        "input or true by definition: shown, not counted",
+    ]
 
 
 def test_an_audit_row_on_several_cells_marks_each() -> None:

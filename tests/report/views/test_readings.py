@@ -1,9 +1,11 @@
+from dataclasses import replace
+
 import pytest
 
 from repro.judge.judgement import judge
 from repro.judge.other_readings import FARTHEST
 from repro.report.pages import render
-from repro.report.views.readings import ReadingsView, readings_view
+from repro.report.views.readings import ReadingsView, readings_view, settings_of
 from tests.judge.test_other_readings import WIDER, evidence, open_paper
 
 
@@ -12,12 +14,41 @@ def view(**costs: float) -> ReadingsView:
     return readings_view(judge(paper, evidence(paper, **costs)))
 
 
-def test_contradicted_numbers_are_split_by_whether_a_reading_reaches_them() -> None:
+def test_a_reading_says_on_how_much_it_bears_what_it_turns_and_how_deep_it_was_run() -> None:
     shown = view(guess=5.0, wider=0.05)
 
-    assert shown.contradicted == shown.within_reach + shown.out_of_reach + shown.untouched
-    assert (shown.within_reach, shown.untouched) == (1, 1)  # the column wide has a wrong std
-    assert [(row.name, row.tried, row.reached) for row in shown.rows] == [("wider", 2, 1)]
+    (row,) = shown.rows
+    assert (row.name, row.bears, row.turns, row.repeats, row.open) == ("wider", 2, 1, "2", False)
+
+
+def test_numbers_are_split_by_what_the_readings_do_to_them() -> None:
+    shown = view(guess=5.0, wider=0.05)
+
+    assert (shown.judged, shown.touched, shown.depends) == (4, 2, 1)
+    # the std of the column that the reading changes, and the one of the other column
+    assert (shown.contradicted, shown.untouched) == (2, 1)
+
+
+def test_a_value_of_an_open_setting_that_the_number_lies_between_turns_it() -> None:
+    paper = open_paper(replace(WIDER, at=3.0))
+    (width,) = paper.assumptions
+    paper = replace(paper, assumptions=(replace(width, open=True, at=1.0),))
+
+    shown = readings_view(judge(paper, evidence(paper, guess=5.0, wider=0.0005)))
+
+    assert settings_of(paper) == {"width": ("wider",)}
+    assert [(row.open, row.turns) for row in shown.rows] == [(True, 1)]
+
+
+@pytest.mark.parametrize("page", ["md", "html"])
+def test_no_page_says_that_no_reading_was_chosen_because_it_fits(page: str) -> None:
+    shown = view(guess=5.0, wider=0.05)
+    context = {"readings": shown, "reading_repeats": 1, "provenance": {"repeats": 20}}
+
+    text = render(f"sections/readings.{page}", context)
+
+    assert "because it fits" not in text
+    assert "was settled by what meets the print" in text
 
 
 def test_fingerprint_names_its_column_and_the_nearest_reading() -> None:
