@@ -72,7 +72,10 @@ def _beyond(stored: Vector, below: Vector, above: Vector, floor: float) -> tuple
         powers = np.log(np.maximum(away, away[away > 0.0][0]))
         low, high = _excesses(powers, below, above)
         with np.errstate(over="ignore"):
-            return base + (np.exp(low) if away[0] > 0.0 else 0.0 * below), base + np.exp(high)
+            least = base + (np.exp(low) if away[0] > 0.0 else 0.0 * below)
+            greatest = base + np.exp(high)
+        # the exponential of a logarithm may round to the inner side
+        return np.minimum(least, stored[0]), np.maximum(greatest, stored[-1])
     low, high = _excesses(stored, below, above)
     return np.maximum(low, min(floor, stored[0])), high
 
@@ -80,7 +83,8 @@ def _beyond(stored: Vector, below: Vector, above: Vector, floor: float) -> tuple
 def _excesses(values: Vector, below: Vector, above: Vector) -> tuple[Vector, Vector]:
     half = max(values.size // 2, 1)
     middle = float(np.median(values))
-    down, up = middle - values[:half].mean(), values[-half:].mean() - middle
+    # differences first: equal values have a rounded mean, but no excess
+    down, up = (middle - values[:half]).mean(), (values[-half:] - middle).mean()
     return values[0] - REACH * down * below, values[-1] + REACH * up * above
 
 
