@@ -134,7 +134,7 @@ def verdict_rows(tried: Iterable[Trial]) -> list[Row]:
             "statistic": statistic,
             "factor": factor,
             "verdict": str(verdict),
-            "share": round(fell[verdict] / fell.total(), 4),
+            "share": round(fell[verdict] / fell.total(), 3),
         }
         for (repeats, statistic, factor), fell in sorted(said.items(), key=_order)
         for verdict in SAID
@@ -221,4 +221,4 @@ def _order(item: tuple[tuple[int, str, float], object]) -> tuple[int, int, float
 
 
 def _share(said: Iterable[bool]) -> float:
-    return round(float(np.mean(list(said))), 4)
+    return round(float(np.mean(list(said))), 3)

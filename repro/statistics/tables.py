@@ -73,7 +73,8 @@ def _beyond(stored: Vector, below: Vector, above: Vector, floor: float) -> tuple
         low, high = _excesses(powers, below, above)
         with np.errstate(over="ignore"):
             least = base + (np.exp(low) if away[0] > 0.0 else 0.0 * below)
-            greatest = base + np.exp(high)
+            # a spread of infinite costs would be no number
+            greatest = np.minimum(base + np.exp(high), np.finfo(np.float64).max)
         # the exponential of a logarithm may round to the inner side
         return np.minimum(least, stored[0]), np.maximum(greatest, stored[-1])
     low, high = _excesses(stored, below, above)

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from repro.statistics.summary import best, mean, worst
+from repro.statistics.summary import best, mean, standard_deviation, worst
 from repro.statistics.tables import REACH, next_tables, predicted, quantile_interval
 
 Vector = NDArray[np.float64]
@@ -132,13 +132,14 @@ def test_between_stored_runs_only_their_values_come_again(costs: list[float], se
     assert set(inside.tolist()) <= set(costs)
 
 
-def test_stored_runs_between_the_ends_come_equally_often() -> None:
-    found = tables_of(np.arange(20.0).reshape(4, 5), tables=20_000)
+def test_stored_runs_come_equally_often_and_the_last_half_as_often() -> None:
+    stored = np.arange(100.0, 120.0)
+    found = tables_of(stored.reshape(4, 5), tables=20_000)
 
-    # each takes half of two of the 21 gaps; runs of one table share their chances, so that a share
-    # varies by more than that of 100,000 runs, by some √(1/20,000 · 1/21 · 0.1) or so
-    shares = [(found == value).mean() for value in range(1, 19)]
-    assert shares == pytest.approx([1 / 21] * 18, abs=0.004)
+    # each takes half of the gaps on either side, and half of those at the ends is beyond them all;
+    # runs of one table share their chances, so that a share varies by 0.0007 or so
+    shares = [(found == value).mean() for value in stored]
+    assert shares == pytest.approx([0.5 / 21, *[1 / 21] * 18, 0.5 / 21], abs=0.004)
 
 
 @pytest.mark.parametrize("size", [30, 600])
@@ -158,6 +159,17 @@ def test_costs_over_decades_go_beyond_by_their_logarithm() -> None:
     over, under = np.log10(found[found > 1.0]), -10.0 - np.log10(found[found < 1e-10])
     for beyond in (over, under):
         assert float(beyond.mean()) == pytest.approx(2.5 * REACH, rel=6 / beyond.size**0.5)
+
+
+def test_spread_of_tables_beyond_any_double_is_a_number() -> None:
+    stored = np.logspace(-300.0, 0.0, 30).reshape(1, 30)
+
+    found = predicted(
+        stored, standard_deviation, tables=500, rng=np.random.default_rng(1), floor=0.0
+    )
+
+    assert np.isfinite(found).all()
+    assert found.max() > 1e300
 
 
 @given(QUANTISED, st.integers(-300, 300), st.integers(0, 99))
