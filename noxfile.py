@@ -64,6 +64,13 @@ def expect(session: nox.Session) -> None:
     session.run("python", "-m", "tests.verdict_list")
 
 
+@nox.session
+def calibrate(session: nox.Session) -> None:
+    """Judge tables whose truth is known, some ten minutes: writes repro/judge/calibration.json."""
+    _install(session, "run")
+    session.run("python", "-m", "tests.calibrate", env=ONE_THREAD)
+
+
 @nox.session(name="another-seed")
 def another_seed(session: nox.Session) -> None:
     """Run every protocol under another master seed, and say on the index what it changes."""

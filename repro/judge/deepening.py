@@ -62,7 +62,7 @@ def _deeper(
 
 def _more(runs: Runs, depth: int) -> int:
     """Return the evaluations of the repeats that are missing to a depth."""
-    return (depth - len(runs.costs)) * runs.costs.shape[-1] * runs.evaluations
+    return int((depth - len(runs.costs)) * runs.costs.shape[-1] * runs.evaluations)
 
 
 def _wanted(

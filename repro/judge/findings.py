@@ -15,7 +15,7 @@ from repro.tables.published import UNITS
 
 LEVEL = 0.95
 PROVISIONAL = "provisional: one repeat only"
-EXTREME = "one repeat only: no extreme is contradicted by so few runs"
+THIN = "one repeat only: so few runs contradict no extreme, and nothing where half are equal"
 IN_WORDS = "in words"
 
 
@@ -131,8 +131,8 @@ def _found(claim: Claim, measured: Measured) -> Finding:
     interval, accepted = _interval(claim, measured), claim.accepted.band(claim.printed)
     verdict, side = verdict_of(interval, _printed(claim), accepted)
     note = PROVISIONAL if measured.repeats == 1 else ""
-    if measured.repeats == 1 and measured.extreme and verdict is Verdict.CONTRADICTED:
-        verdict, side, note = Verdict.UNDECIDED, None, EXTREME
+    if measured.repeats == 1 and measured.thin and verdict is Verdict.CONTRADICTED:
+        verdict, side, note = Verdict.UNDECIDED, None, THIN
     minimum = claim.accepted.minimum if isinstance(claim.accepted, FromMinimum) else 0.0
     consistent = verdict is Verdict.CONSISTENT
     return replace(

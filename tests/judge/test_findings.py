@@ -4,7 +4,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from repro.judge.findings import EXTREME, PROVISIONAL, Finding, findings_of, judged
+from repro.judge.findings import PROVISIONAL, THIN, Finding, findings_of, judged
 from repro.judge.verdict import Verdict
 from repro.model.claims import Claim, Sentence
 from repro.model.evidence import Runs
@@ -86,7 +86,7 @@ def test_one_repeat_is_provisional_and_two_are_not() -> None:
     once = findings_of(CLAIMS, evidence(guess=[[0.05] * 3], wide=[[0.5] * 3]))
     twice = findings_of(CLAIMS, evidence(guess=[[0.05] * 3] * 2, wide=[[0.5] * 3] * 2))
 
-    assert {f.note for f in once} == {PROVISIONAL}
+    assert {f.note for f in once} == {PROVISIONAL, THIN}
     assert {f.note for f in twice} == {""}
     assert {f.repeats for f in twice} == {2}
 
@@ -173,7 +173,7 @@ def of_best(*repeats: float) -> Finding:
 def test_no_extreme_is_contradicted_by_one_repeat() -> None:
     once, often = of_best(90.0), of_best(*[90.0] * 20)
 
-    assert (once.verdict, once.side, once.note) == (Verdict.UNDECIDED, None, EXTREME)
+    assert (once.verdict, once.side, once.note) == (Verdict.UNDECIDED, None, THIN)
     assert (often.verdict, often.side) == (Verdict.CONTRADICTED, "higher")
 
 

@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 from repro.statistics.effect_size import win_probability
 from repro.statistics.rank_sum import holm, rank_sum_p
 from repro.statistics.summary import STATISTICS, best, mean, standard_deviation, worst
-from repro.statistics.tables import quantile_interval, resampled
 
 Vector = NDArray[np.float64]
 
@@ -156,67 +155,3 @@ def test_win_probability_counts_ties_as_half(first: list[int], second: list[int]
     found = win_probability(np.array(first, dtype=float), np.array(second, dtype=float))
 
     assert found == pytest.approx(wins / (len(first) * len(second)), abs=1e-12)
-
-
-def draws(costs: list[list[float]], seed: int, *, tables: int = 200) -> Vector:
-    return resampled(np.array(costs), mean, tables=tables, rng=np.random.default_rng(seed))
-
-
-RUNS = [[1.0, 2.0, 9.0], [4.0, 3.0, 5.0]]
-
-
-def test_equal_state_gives_equal_resampled_tables_and_another_state_others() -> None:
-    assert draws(RUNS, 1).tolist() == draws(RUNS, 1).tolist()
-    assert draws(RUNS, 1).tolist() != draws(RUNS, 2).tolist()
-
-
-@pytest.mark.parametrize("statistic", [best, worst, mean])
-@given(costs=COSTS, seed=st.integers(0, 99))
-def test_resampled_statistics_lie_between_the_least_and_greatest_run(
-    statistic: Callable[[Vector], Vector], costs: list[float], seed: int
-) -> None:
-    table = np.array([costs])
-
-    found = resampled(table, statistic, tables=20, rng=np.random.default_rng(seed))
-
-    rounding = 1e-12 * max(costs)
-    assert found.shape == (20,)
-    assert (found >= min(costs) - rounding).all()
-    assert (found <= max(costs) + rounding).all()
-
-
-def test_resampled_tables_have_the_size_of_one_repeat_and_draw_from_all() -> None:
-    sizes = set()
-
-    def size_and_all(tables: Vector) -> Vector:
-        sizes.add(tables.shape[-1])
-        assert set(np.unique(tables)) == {1.0, 2.0, 3.0, 4.0, 5.0, 9.0}
-        return mean(tables)
-
-    resampled(np.array(RUNS), size_and_all, tables=200, rng=np.random.default_rng(1))
-
-    assert sizes == {3}
-
-
-def test_resampled_mean_has_the_standard_error_of_the_mean() -> None:
-    costs = np.random.default_rng(1).normal(size=(10, 25))
-
-    found = resampled(costs, mean, tables=20_000, rng=np.random.default_rng(2))
-
-    # its own relative standard error is 1 / sqrt(2 · 20000) = 0.5 %; 5 of them
-    assert float(found.std()) == pytest.approx(float(costs.std()) / 5.0, rel=0.025)
-
-
-@given(st.lists(st.floats(-1e6, 1e6), min_size=1, max_size=200), st.floats(0.01, 0.99))
-def test_quantile_interval_has_drawn_ends_and_holds_its_level(
-    values: list[float], level: float
-) -> None:
-    low, high = quantile_interval(np.array(values), level)
-
-    assert {low, high} <= set(values)
-    held = sum(low <= value <= high for value in values)
-    assert held >= level * len(values) - 1e-9
-
-
-def test_quantile_interval_leaves_out_the_tails() -> None:
-    assert quantile_interval(np.arange(1001.0), 0.95) == (25.0, 975.0)

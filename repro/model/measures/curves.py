@@ -21,7 +21,7 @@ from repro.model.measures.measure import EXTREMES, TABLES, Measure, Measured, pl
 from repro.robotics.path_fitting import PathFitting
 from repro.robotics.polynomial_curves import values
 from repro.statistics.summary import STATISTICS
-from repro.statistics.tables import predicted
+from repro.statistics.tables import half_equal, predicted
 
 Vector = NDArray[np.float64]
 Combination = Literal["norm", "sum", "largest"]
@@ -249,5 +249,5 @@ def _summarised(
         value=float(summary(table[0])),
         draws=predicted(table, summary, tables=TABLES, rng=rng),
         repeats=len(table),
-        extreme=statistic in EXTREMES,
+        thin=statistic in EXTREMES or half_equal(table),
     )

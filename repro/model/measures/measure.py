@@ -13,7 +13,7 @@ from repro.errors import DeclarationError
 from repro.model.evidence import Cell, Evidence
 from repro.model.experiment import Experiment
 from repro.statistics.summary import STATISTICS
-from repro.statistics.tables import next_tables
+from repro.statistics.tables import half_equal, next_tables
 
 Vector = NDArray[np.float64]
 TABLES = 2000  # tables per statistic: its 2.5 % tail then holds 50 of them
@@ -26,13 +26,14 @@ class Measured:
     """The value of the first repeat, the values of many tables that may come next, repeats used.
 
     Where several cells are used, the repeats are the fewest of any, and 0 where none is run.
-    `extreme` says that the value hangs on the best or the worst run.
+    `thin` says that one repeat is too little to contradict anything: the value hangs on the best or
+    the worst run, or on runs half of which are equal, so that others may be anywhere.
     """
 
     value: float
     draws: Vector
     repeats: int
-    extreme: bool = False
+    thin: bool = False
 
 
 def fewest_repeats(*parts: Measured) -> int:
@@ -46,7 +47,7 @@ def place_among(own: Measured, others: Sequence[Measured]) -> Measured:
         value=1.0 + sum(other.value < own.value for other in others),
         draws=np.asarray(1.0 + sum(1.0 * (other.draws < own.draws) for other in others)),
         repeats=fewest_repeats(own, *others),
-        extreme=any(part.extreme for part in (own, *others)),
+        thin=any(part.thin for part in (own, *others)),
     )
 
 
@@ -111,13 +112,14 @@ def _statistics(evidence: Evidence, cell: Cell, quantity: str) -> Mapping[str, M
     # named without the quantity: the same tables for all of a cell's numbers
     rng = generator("tables", evidence.key, *cell)
     floor = evidence.floor(cell) if quantity == "cost" else -np.inf
+    thin = half_equal(values)
     tables = next_tables(values, tables=TABLES, rng=rng, floor=floor)
     return {
         name: Measured(
             value=float(statistic(values[0])),
             draws=statistic(tables),
             repeats=len(values),
-            extreme=name in EXTREMES,
+            thin=name in EXTREMES or thin,
         )
         for name, statistic in STATISTICS.items()
         if name != "std" or values.shape[-1] > 1
@@ -227,7 +229,7 @@ class Difference:
             value=before.value - after.value,
             draws=before.draws - after.draws,
             repeats=fewest_repeats(before, after),
-            extreme=before.extreme or after.extreme,
+            thin=before.thin or after.thin,
         )
 
 
@@ -264,5 +266,5 @@ class Reduction:
             value=100.0 * (1.0 - after.value / before.value),
             draws=100.0 * (1.0 - np.where(np.isnan(shares), 1.0, shares)),
             repeats=fewest_repeats(before, after),
-            extreme=before.extreme or after.extreme,
+            thin=before.thin or after.thin,
         )

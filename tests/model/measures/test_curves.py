@@ -102,7 +102,7 @@ def test_statistic_is_taken_over_the_runs(statistic: str, value: float) -> None:
     assert found.value == value
     assert np.isfinite(found.draws).all()
     assert found.repeats == 1
-    assert found.extreme == (statistic in {"best", "worst"})
+    assert found.thin == (statistic in {"best", "worst"})
 
 
 def test_quantities_of_one_algorithm_are_drawn_from_the_same_tables() -> None:

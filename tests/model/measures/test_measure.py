@@ -45,8 +45,8 @@ def test_best_and_worst_are_extremes_and_what_is_made_of_them() -> None:
     costs = evidence(guess=COSTS, wide=COSTS)
     fixed = Computed(how="as set", value=lambda: 10.0)
 
-    extreme = [
-        measure.measure(costs).extreme
+    thin = [
+        measure.measure(costs).thin
         for measure in (
             statistic("best"),
             statistic("worst"),
@@ -55,9 +55,9 @@ def test_best_and_worst_are_extremes_and_what_is_made_of_them() -> None:
         )
     ]  # fmt: skip
 
-    assert extreme == [True] * 4
-    assert not statistic("mean").measure(costs).extreme
-    assert not Rank(of=statistic("mean"), among=("guess", "wide")).measure(costs).extreme
+    assert thin == [True] * 4
+    assert not statistic("mean").measure(costs).thin
+    assert not Rank(of=statistic("mean"), among=("guess", "wide")).measure(costs).thin
 
 
 def test_statistics_of_one_cell_are_drawn_from_the_same_tables() -> None:
