@@ -95,5 +95,5 @@ goldstein_price = Function(
     at=(0.0, -1.0),
     source=f"{_YAO}, f18",
     fixed_dimension=2,
-    cancels=(48.0, 0.0),  # 48 v at the minimum
+    cancels=(432.0, 0.0),  # 48 v at the minimum, times the 9 of the square before it
 )

@@ -89,7 +89,7 @@ class Evidence:
         """Return what no cost of a cell lies below, as far as it is known."""
         of = (e.problems.get(cell[1]) for e in self.experiments if e.name == cell[0])
         problem = next(of, None)
-        return problem.function.minimum if isinstance(problem, BenchmarkProblem) else -math.inf
+        return problem.minimum if isinstance(problem, BenchmarkProblem) else -math.inf
 
     def values(self, cell: Cell, quantity: str = "cost") -> Vector:
         """Return a quantity of every run, shape (repeats, runs).

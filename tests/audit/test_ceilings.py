@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from repro.audit.blocks import CEILINGS, bounds_of
+from repro.audit.blocks import CEILINGS, LEAST_OF_ALL_SPACE, bounds_of
 from repro.functions import FUNCTIONS
 from tests.summaries import audited, most, scientific, summary
 
@@ -42,6 +42,35 @@ def test_every_function_but_one_with_poles_has_a_ceiling() -> None:
 
     assert FUNCTIONS["kowalik"](pole) == math.inf
     assert CEILINGS.keys() == FUNCTIONS.keys() - {"kowalik"}
+
+
+@pytest.mark.parametrize("name", sorted(LEAST_OF_ALL_SPACE))
+@given(seed=st.integers(0, 2**32 - 1), reach=st.floats(1.0, 4.0))
+def test_no_point_outside_the_box_lies_below_the_least_of_all_space(
+    name: str, seed: int, reach: float
+) -> None:
+    problem = FUNCTIONS[name].problem(FUNCTIONS[name].fixed_dimension or 3)
+    low, high = problem.bounds.T
+    around = np.random.default_rng(seed).uniform(-reach, reach, len(low))
+    point = (low + high) / 2 + around * (high - low) / 2
+
+    assert FUNCTIONS[name](point) >= problem.minimum - 1e-12
+
+
+def test_outside_its_box_a_sum_of_sines_falls_below_its_minimum() -> None:
+    schwefel = FUNCTIONS["schwefel_2_26"].problem(1)
+
+    assert schwefel.function(np.array([(8.5 * np.pi) ** 2])) < schwefel.minimum
+    assert bounds_of(schwefel).only_in_box
+
+
+def test_bounds_of_a_sum_over_coordinates_follow_the_dimension() -> None:
+    few, many = (bounds_of(FUNCTIONS["schwefel_2_26"].problem(n)) for n in (3, 30))
+
+    assert many.minimum == pytest.approx(10 * few.minimum)
+    assert many.minimum - many.floor_in_singles == pytest.approx(
+        10 * (few.minimum - few.floor_in_singles)
+    )
 
 
 def test_ceiling_of_the_camel_is_reached_in_two_corners() -> None:

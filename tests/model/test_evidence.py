@@ -93,7 +93,7 @@ def test_floor_is_the_minimum_of_a_function_and_nothing_else() -> None:
     experiment = replace(EXPERIMENT, problems={"bowl": Bowl(), "branin": branin})
     found = evidence_of(replace(PAPER, experiments=(experiment,), results=(), claims=()), {})
 
-    assert found.floor(("search", "branin", "guess")) == branin.function.minimum
+    assert found.floor(("search", "branin", "guess")) == branin.minimum
     assert found.floor(("search", "bowl", "guess")) == -math.inf
     assert found.floor(("elsewhere", "bowl", "guess")) == -math.inf
 
