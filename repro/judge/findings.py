@@ -8,7 +8,7 @@ from repro.judge.verdict import Unseen, Verdict, unseen, verdict_of
 from repro.model.claims import CellClaim, Claim
 from repro.model.evidence import Cell, Evidence
 from repro.model.measures.measure import Measured
-from repro.model.tolerances import FromMinimum, Interval
+from repro.model.tolerances import FromMinimum, Interval, rounded
 from repro.runs.readings import Reading
 from repro.statistics.tables import quantile_interval
 from repro.tables.published import UNITS
@@ -154,8 +154,7 @@ def _printed(claim: Claim) -> Interval:
     """Return the number with its rounding; of a sentence without one, all that it accepts."""
     if _in_words(claim):
         return claim.accepted.band(claim.printed)
-    printed = claim.printed
-    return printed.value - printed.rounding, printed.value + printed.rounding
+    return rounded(claim.printed, claim.accepted)
 
 
 def _interval(claim: Claim, measured: Measured) -> Interval:

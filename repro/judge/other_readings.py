@@ -68,13 +68,15 @@ class Print:
     """How far a printed column is from the re-run under each reading, nearest first.
 
     A distance is the mean of |log10(measured / printed)| over the numbers of the column, in
-    decades. `chosen` is that of the reading that the re-run follows.
+    decades. `chosen` is that of the reading that the re-run follows, `lower` how many numbers the
+    first repeat of the re-run comes out below.
     """
 
     table: str
     column: str
     numbers: int
     chosen: float
+    lower: int
     others: tuple[tuple[str, float], ...]
 
     @property
@@ -111,10 +113,17 @@ def fingerprints(
                 column=column,
                 numbers=len(positions),
                 chosen=chosen,
+                lower=sum(_lower(claim, evidence) for claim in own),
                 others=tuple(sorted(distances, key=lambda pair: pair[1])),
             )
         )
     return tuple(found)
+
+
+def _lower(claim: Claim, evidence: Evidence) -> bool:
+    if claim.measure is None or not _cells(claim) <= evidence.runs.keys():
+        return False
+    return claim.measure.measure(evidence).value < claim.printed.si
 
 
 def _cells(claim: Claim) -> frozenset[Cell]:

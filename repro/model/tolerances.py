@@ -133,10 +133,15 @@ class FromMinimum:
             zero=ZERO_STD if spread else ZERO_FITNESS,
         )
 
+    def is_bare_minimum(self, printed: Printed) -> bool:
+        """Return whether a print is a 0, or another minimum without decimals."""
+        bare = self.minimum == 0 or printed.rounding >= WHOLE
+        return bare and printed.value == self.minimum
+
     def band(self, printed: Printed) -> Interval:
         """Return the accepted band in the printed unit."""
         distance, steps = printed.value - self.minimum, STEPS * self.step
-        if distance == 0 and (self.minimum == 0 or printed.rounding >= WHOLE):
+        if self.is_bare_minimum(printed):
             least = self.zero if self.minimum == 0 else self.solved
             return self.minimum - steps, self.minimum + max(steps, least)
         if abs(distance) >= self.solved:
@@ -155,6 +160,17 @@ class FromMinimum:
             f"within {self.percent:g} % of the distance from the minimum{least} and the printed "
             f"rounding, below {self.solved:g} within a factor {10**self.decades:g}"
         )
+
+
+def rounded(printed: Printed, accepted: Tolerance) -> Interval:
+    """Return the number with its rounding; of a bare minimum, as 0, what its tolerance says.
+
+    A 0 without decimals is no number between -0.5 and 0.5.
+    """
+    bare = isinstance(accepted, FromMinimum) and accepted.is_bare_minimum(printed)
+    if bare or (isinstance(accepted, Fitness) and printed.value == 0):
+        return accepted.band(printed)
+    return printed.value - printed.rounding, printed.value + printed.rounding
 
 
 @dataclass(frozen=True, slots=True)

@@ -142,6 +142,18 @@ def test_fingerprint_names_the_reading_that_is_nearest_to_the_column(
     assert {round(column.chosen, 6), round(column.others[0][1], 6)} == {0.0, 2.0}
 
 
+def test_fingerprint_counts_the_numbers_that_the_re_run_comes_out_below() -> None:
+    paper = mean_only(open_paper(WIDER))
+
+    lower = {
+        guess: sum(p.lower for p in fingerprints(paper.claims, evidence(paper, guess=guess), ()))
+        for guess in (0.01, 0.05, 5.0)
+    }
+
+    # the mean of the other column is as printed
+    assert lower == {0.01: 1, 0.05: 0, 5.0: 0}
+
+
 def test_zero_is_farther_from_a_number_than_any_other_double() -> None:
     paper = mean_only(open_paper(WIDER))
     found = evidence(paper, guess=0.0, wider=5e-324)

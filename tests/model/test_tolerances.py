@@ -5,7 +5,16 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from repro.model.tolerances import Absolute, Between, Fitness, Percent, Tolerance
+from repro.functions import FUNCTIONS
+from repro.model.tolerances import (
+    Absolute,
+    Between,
+    Fitness,
+    FromMinimum,
+    Percent,
+    Tolerance,
+    rounded,
+)
 from repro.tables.published import Printed
 from repro.tables.true_numbers import ZERO_FITNESS, ZERO_STD
 
@@ -81,3 +90,60 @@ def test_zeros_are_the_limits_of_double_arithmetic() -> None:
 )
 def test_tolerance_is_said_in_words(tolerance: Tolerance, words: str) -> None:
     assert tolerance.words == words
+
+
+ACKLEY = FUNCTIONS["ackley"].problem(30)
+HARTMANN = FUNCTIONS["hartmann_3"].problem()
+
+
+@pytest.mark.parametrize(
+    ("text", "low", "high"),
+    [
+        ("-3.8563", -3.858, -3.8546),  # 0.00648 from the minimum: a quarter of it, and rounding
+        ("-3.86278", -3.862786, -3.862774),  # the minimum as far as it is printed
+    ],
+)
+def test_distance_from_the_minimum_is_what_counts(text: str, low: float, high: float) -> None:
+    tolerance = FromMinimum(percent=25).on(HARTMANN, "mean")
+
+    assert tolerance.band(Printed(text)) == pytest.approx((low, high), abs=1e-4)
+    assert tolerance.band(Printed("-3.8563"))[1] < -3.853  # what random search has
+
+
+@pytest.mark.parametrize("statistic", ["best", "worst", "mean", "std"])
+def test_quantised_costs_a_step_apart_are_the_same_by_one_rule(statistic: str) -> None:
+    tolerance = FromMinimum(percent=25).on(ACKLEY, statistic)
+
+    for printed in ("4.441×10^-16", "0"):
+        low, high = tolerance.band(Printed(printed))
+        assert low < 0.0
+        assert 4.0e-15 < high < 1e-13
+
+
+def test_solved_distances_count_by_decades() -> None:
+    sphere = FromMinimum(percent=25).on(FUNCTIONS["sphere"].problem(30), "mean")
+
+    assert sphere.band(Printed("2.00E-74")) == pytest.approx((1.995e-75, 2.005e-73))
+    assert sphere.band(Printed("2.00E-08")) == pytest.approx((1.495e-8, 2.505e-8))
+
+
+def test_standard_deviation_counts_from_zero_whatever_the_minimum() -> None:
+    assert FromMinimum(percent=25).on(HARTMANN, "std").minimum == 0.0
+    assert FromMinimum(percent=25).on(HARTMANN, "mean").minimum == HARTMANN.minimum
+
+
+@pytest.mark.parametrize(
+    ("tolerance", "text", "widest"),
+    [
+        (FromMinimum(percent=25), "0", 1e-300),
+        (FromMinimum(percent=25).on(FUNCTIONS["goldstein_price"].problem(), "mean"), "3", 1e-7),
+        (Fitness(decades=1, near_zero=0.01, percent=25), "0", 1e-300),
+        (FromMinimum(percent=25), "2", 1.0),
+        (Percent(25), "0", 1.0),
+    ],
+)
+def test_bare_minimum_is_no_rounded_number(tolerance: Tolerance, text: str, widest: float) -> None:
+    low, high = rounded(Printed(text), tolerance)
+
+    assert 0.0 <= high - low <= widest
+    assert high - low > widest / 1e10

@@ -108,6 +108,7 @@ def _print_row(each: Print) -> tuple[str, ...]:
         each.table,
         each.column,
         f"{each.numbers}",
+        f"{each.lower} of {each.numbers}",
         number(each.chosen, 3),
         nearest,
         number(min(distance, each.chosen), 3),
