@@ -114,6 +114,18 @@ def audited(block: Mapping[str, str], *, n: int, function: str = "sphere") -> di
     return {row.check: row for row in rows if row.grade is Grade.IMPOSSIBLE}
 
 
+def proved(block: Mapping[str, str], *, n: int, function: str = "sphere") -> set[str]:
+    """Return the checks that find a table of one block impossible without a condition."""
+    found = audited(block, n=n, function=function)
+    return {check for check, row in found.items() if row.is_proof}
+
+
+def condition_of(block: Mapping[str, str], *, n: int, function: str = "sphere") -> str | None:
+    """Return the condition of the one impossible row of a table of one block."""
+    (row,) = audited(block, n=n, function=function).values()
+    return row.condition
+
+
 def summary(sample: Vector) -> dict[str, float]:
     """Return best, worst, mean and sample standard deviation."""
     return {

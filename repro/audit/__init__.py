@@ -1,8 +1,9 @@
 """What printed tables say about themselves, before any run.
 
-Grades: `impossible` is a proof, by arithmetic that allows every print to be rounded or cut off,
-or by what doubles can hold; `inconsistent` means that two printed places disagree; `noted` is a
-coincidence or a place to look.
+Grades: `impossible` is a proof where the row has no condition: no runs in double or single
+precision, in any usual order of summing, rounded or cut off, give the print; else it is one if the
+condition holds. `inconsistent` means that two printed places disagree; `noted` is a coincidence or
+a place to look.
 """
 
 from collections.abc import Callable, Iterator

@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from types import MappingProxyType
 
-from repro.functions import FUNCTIONS, BenchmarkProblem
+from repro.functions import FUNCTIONS, BenchmarkProblem, Function
 from repro.model.claims import CellClaim
 from repro.model.measures.measure import Statistic
 from repro.model.paper import Paper
@@ -15,11 +15,33 @@ from repro.tables.true_numbers import exact, is_scientific
 # multiple of the spacing of doubles at the smallest of these terms.
 CANCELLING = {"ackley": 2.0**-51, "rastrigin": 2.0**-49}
 CONDITIONS = {
-    "ackley": "if the four terms are computed as doubles and then added, in whatever order: near "
-    "the minimum each of them, 20 and e included, is a multiple of this step",
-    "rastrigin": "if x² is first added to 10 or to −10 cos(2πx), as the formula reads from left "
-    "to right and with 10n added at the end: both terms of size 10 are multiples of this step",
+    "ackley": "the four terms are computed as doubles and then added, in whatever order: near the "
+    "minimum each of them, 20 and e included, is a multiple of this step",
+    "rastrigin": "x² is first added to 10 or to −10 cos(2πx), as the formula reads from left to "
+    "right and with 10n added at the end: both terms of size 10 are multiples of this step",
 }
+# Terms that cancel at the minimum, in sum: a value computed in single precision may be below the
+# minimum by a few roundings of them. 0: a sum of squares or sizes, rounded or not, is none below 0.
+CANCELLED: Mapping[str, int] = MappingProxyType(
+    {
+        "ackley": 46,
+        "branin": 30,
+        "goldstein_price": 1000,
+        "foxholes": 4,
+        "hartmann_3": 16,
+        "shekel_5": 16,
+    }
+)
+ELSE_CANCELLED = 256  # times the minimum, of other functions: a generous guess
+ROUNDINGS = Fraction(1, 2**20)  # 16 roundings in single precision
+# Functions whose minimum is that of all space, so that no run is below it outside the box either.
+LEAST_OF_ALL_SPACE = frozenset(
+    {
+        *("sphere", "schwefel_2_22", "schwefel_1_2", "schwefel_2_21", "rosenbrock", "rastrigin"),
+        *("ackley", "alpine_1", "penalized_1", "penalized_2", "foxholes", "branin"),
+        *("goldstein_price", "hartmann_3", "shekel_5"),
+    }
+)
 
 
 def _penalized_1(n: int) -> Fraction:
@@ -39,6 +61,12 @@ CEILINGS: Mapping[str, Callable[[int], Fraction]] = MappingProxyType(
         "rosenbrock": lambda n: Fraction((n - 1) * (100 * (30 + 30**2) ** 2 + 31**2)),
         "rastrigin": lambda n: n * (Fraction(512, 100) ** 2 + 20),
         "ackley": lambda _: Fraction(23),  # 20 + e and no less than 0 taken away
+        "step": lambda n: n * Fraction(1005, 10) ** 2,
+        "step_floor": lambda n: Fraction(n * 100**2),
+        # the sum of i up to n, and noise below 1
+        "quartic_noise": lambda n: Fraction(n * (n + 1), 2) * Fraction(128, 100) ** 4 + 1,
+        "schwefel_2_26": lambda n: Fraction(500 * n),  # no sine is above 1
+        "griewank": lambda n: n * Fraction(600**2, 4000) + 2,
         "alpine_1": lambda n: Fraction(11 * n),
         "penalized_1": _penalized_1,
         "penalized_2": lambda n: n * 100 * 45**4 + Fraction(1 + 2 * n * 51**2, 10),
@@ -48,8 +76,13 @@ CEILINGS: Mapping[str, Callable[[int], Fraction]] = MappingProxyType(
         "branin": lambda _: Fraction(221875, 10000) ** 2 + Fraction(27244, 10000) + 10,
         # Bernstein coefficients of the polynomial on parts of the box are below
         "goldstein_price": lambda _: Fraction(1015691),
-        "hartmann_3": lambda _: Fraction(0),
-        "shekel_5": lambda _: Fraction(0),
+        # the cubic in u² has its inner peak, below 3, near u² = 1.46 and is greatest at u² = 25; so
+        # is 4 v⁴ - 4 v², which is convex in v²
+        "six_hump_camel": lambda _: 100 - Fraction(21, 10) * 625 + Fraction(5**6, 3) + 25 + 2400,
+        **dict.fromkeys(
+            ("hartmann_3", "hartmann_6", "shekel_5", "shekel_7", "shekel_10"), lambda _: Fraction(0)
+        ),
+        # kowalik has none: its denominators vanish inside the box
     }
 )
 # Where a ceiling holds, if on more than the function's own box.
@@ -72,14 +105,14 @@ def blocks(paper: Paper) -> tuple[Block, ...]:
             n=experiments[experiment].runs,
             cells={name: claim.cell for name, claim in claims.items()},
             scientific=is_scientific(next(iter(claims.values())).table),
-            function=_bounds(experiments[experiment].problems[problem], quantity),
+            function=_bounds(experiments[experiment].problems.get(problem), quantity),
         )
         for (_, experiment, problem, algorithm, quantity), claims in found.items()
     )
 
 
 def _bounds(problem: object, quantity: str) -> FunctionBounds | None:
-    """Return what is known of a problem's costs; None of what is no benchmark function."""
+    """Return what is known of a problem's costs; None where it is no benchmark function of ours."""
     if not isinstance(problem, BenchmarkProblem) or quantity != "cost":
         return None
     return bounds_of(problem)
@@ -88,17 +121,26 @@ def _bounds(problem: object, quantity: str) -> FunctionBounds | None:
 def bounds_of(problem: BenchmarkProblem) -> FunctionBounds:
     """Return what no value of the function in so many dimensions is outside of."""
     function = problem.function
-    least = exact(function.minimum)
+    least = exact(problem.minimum)
     step = Fraction(CANCELLING.get(function.name, 0))
     return FunctionBounds(
         title=function.title,
         minimum=least,
         floor=least - max(abs(least) / 2**40, 4 * step),
+        floor_in_singles=least - _cancelled(function) * ROUNDINGS,
+        only_in_box=function.name not in LEAST_OF_ALL_SPACE,
         ceiling=_ceiling(problem),
         step=step,
         condition=CONDITIONS.get(function.name, ""),
-        fixed=(function(function.minimiser(problem.dimension)), function.minimum),
+        fixed=(function(function.minimiser(problem.dimension)), problem.minimum),
     )
+
+
+def _cancelled(function: Function) -> Fraction:
+    """Return the size of the terms that cancel at the minimum of the function."""
+    if function.name in CANCELLED:
+        return Fraction(CANCELLED[function.name])
+    return abs(exact(function.minimum)) * ELSE_CANCELLED
 
 
 def _ceiling(problem: BenchmarkProblem) -> Fraction | None:

@@ -47,11 +47,12 @@ def pose_rows(paper: str, relation: PrintedPoses) -> Iterator[AuditRow]:
         explanation=(
             f"{relation.joints.label} leads through {relation.dh.label} to points that lie off "
             f"those of {relation.positions.label}, in mm, at "
-            f"{', '.join(relation.positions.row_names)}: {gaps} ({relation.dh.label} taken as "
-            f"exact). In the {nearest} convention, beyond rounding: {worst}; the rounding of "
+            f"{', '.join(relation.positions.row_names)}: {gaps}. In the "
+            f"{nearest} convention, beyond rounding: {worst}; the rounding of "
             f"{relation.joints.label} moves the tool by {_mm(_joint_allowance(relation))} mm at "
             f"most. {_closing(relation, nearest)}"
         ),
+        condition=f"{relation.dh.label} is exact, and no joint angle has an offset",
     )
 
 

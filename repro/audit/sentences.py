@@ -2,14 +2,17 @@
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from fractions import Fraction
 
 from repro.model.claims import CellClaim, Sentence
 from repro.model.measures.measure import Measure, Rank, Statistic
 from repro.model.paper import Paper
+from repro.tables.arithmetic import NARROWEST, Arithmetic, statistic_span
 from repro.tables.relations import TableCell
 from repro.tables.rows import AuditRow, Grade, audit_row
-from repro.tables.true_numbers import Span, is_scientific, span, statistic_span
+from repro.tables.true_numbers import Span, is_scientific, span
 
+COMPARED = replace(NARROWEST, exact_zeros=False)  # printed numbers are compared, not computed
 Cells = Mapping[Statistic, TableCell]
 
 
@@ -36,14 +39,18 @@ def _rank(paper: str, claim: Sentence, measure: Measure, cells: Cells) -> Iterat
     found = {s.algorithm: cells[s] for s in statistics if s in cells}
     if len(found) < len(names) or len({cell.table.label for cell in found.values()}) > 1:
         return
-    spans = {name: _span(cell, measure.of) for name, cell in found.items()}
-    own = spans[measure.of.algorithm]
-    lower = [name for name in rivals if spans[name].high < own.low]
-    ties = [name for name in rivals if spans[name].meets(own)]
-    if 1 + len(lower) <= claim.printed.value <= 1 + len(lower) + len(ties):
+    rank, own = claim.printed.value, measure.of.algorithm
+    places = {
+        given: _place({name: _span(cell, measure.of, given) for name, cell in found.items()}, own)
+        for given in (COMPARED, NARROWEST)
+    }
+    wrong = [given for given, place in places.items() if not place.low <= rank <= place.high]
+    if not wrong:
         return
+    place = places[NARROWEST]
+    lower = [name for name in rivals if _lies_below(found[name], found[own], measure.of)]
     below = " and ".join(f"{found[name].printed.text} for {name}" for name in lower)
-    cell = found[measure.of.algorithm]
+    cell = found[own]
     yield audit_row(
         paper,
         (cell, *(found[name] for name in lower)),
@@ -51,16 +58,17 @@ def _rank(paper: str, claim: Sentence, measure: Measure, cells: Cells) -> Iterat
         grade=Grade.INCONSISTENT,
         explanation=(
             f"{claim.where} says, {claim.claim!r}: rank {claim.printed.text}. "
-            f"{cell.table.label} prints {cell.printed.text} for {measure.of.algorithm}, and "
-            f"{below or 'nothing'} below it, which makes it rank {1 + len(lower)}"
-            + (f" to {1 + len(lower) + len(ties)}" if ties else "")
+            f"{cell.table.label} prints {cell.printed.text} for {own}, and "
+            f"{below or 'nothing'} below it, which makes it rank {place.low}"
+            + (f" to {place.high}" if place.high > place.low else "")
         ),
+        condition=wrong[0].beyond(COMPARED),
     )
 
 
 def _same_number(paper: str, claim: Sentence, measure: Measure, cells: Cells) -> Iterator[AuditRow]:
     """Check a number of the text against the cell that prints the same statistic."""
-    if not isinstance(measure, Statistic) or measure not in cells:
+    if claim.in_words or not isinstance(measure, Statistic) or measure not in cells:
         return
     cell = cells[measure]
     if cell.printed.unit != claim.printed.unit or span(cell.printed).meets(span(claim.printed)):
@@ -77,9 +85,21 @@ def _same_number(paper: str, claim: Sentence, measure: Measure, cells: Cells) ->
     )
 
 
-def _span(cell: TableCell, statistic: Statistic) -> Span:
+def _place(spans: Mapping[str, Span], own: str) -> Span:
+    """Return the lowest and highest rank that `own` can have; ties may share."""
+    lower = sum(span.high < spans[own].low for span in spans.values())
+    ties = sum(span.meets(spans[own]) for span in spans.values()) - 1
+    return Span(Fraction(1 + lower), Fraction(1 + lower + ties))
+
+
+def _lies_below(cell: TableCell, own: TableCell, statistic: Statistic) -> bool:
+    return _span(cell, statistic, NARROWEST).high < _span(own, statistic, NARROWEST).low
+
+
+def _span(cell: TableCell, statistic: Statistic, given: Arithmetic) -> Span:
     return statistic_span(
         cell.printed,
         scientific=is_scientific(cell.table),
         spread=statistic.statistic == "std",
+        given=given,
     )

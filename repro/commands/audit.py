@@ -13,6 +13,7 @@ def run(options: Namespace) -> int:
     lines = [
         f"{row.grade}: {row.paper}, {row.table}, {row.row or 'several cells'}"
         f"{f', {row.column}' if row.column else ''}: {row.explanation}"
+        f"{f'; holds if {row.condition}' if row.condition else ''}"
         for row in rows
     ]
     return show(rows, lines, as_json=options.json)

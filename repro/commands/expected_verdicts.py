@@ -13,7 +13,7 @@ from typing import Any
 from repro.commands import catalogue
 from repro.errors import InputError
 from repro.judge.verdict import Verdict
-from repro.report.results import verdict_counts
+from repro.report.results import impossible_rows, verdict_counts
 
 COLUMNS = ("table", "row", "column", "claim", "printed", "verdict", "side", "value", "repeats")
 PLACE, SAID = slice(0, 5), slice(5, 7)
@@ -60,10 +60,9 @@ def _table(entries: Iterable[Mapping[str, Any]]) -> list[str]:
     rows = [headings]
     for entry in entries:
         said = verdict_counts(entry)
-        impossible = [row for row in entry["audit"] if row["grade"] == "impossible"]
         counts = (
             *(said[verdict] for verdict in Verdict),
-            len(impossible),
+            len(impossible_rows(entry)),
             entry["provenance"]["repeats"],
         )
         rows.append((entry["key"], *map(str, counts)))

@@ -7,7 +7,14 @@ from types import MappingProxyType
 
 from repro.functions.function import BenchmarkProblem, Function
 
-__all__ = ["FUNCTIONS", "BenchmarkProblem", "Function"]
+__all__ = ["FUNCTIONS", "BenchmarkProblem", "Function", "classical"]
+
+_NUMBERED = (
+    "sphere", "schwefel_2_22", "schwefel_1_2", "schwefel_2_21", "rosenbrock", "step",
+    "quartic_noise", "schwefel_2_26", "rastrigin", "ackley", "griewank", "penalized_1",
+    "penalized_2", "foxholes", "kowalik", "six_hump_camel", "branin", "goldstein_price",
+    "hartmann_3", "hartmann_6", "shekel_5", "shekel_7", "shekel_10",
+)  # fmt: skip
 
 
 def _found() -> Mapping[str, Function]:
@@ -21,3 +28,13 @@ def _found() -> Mapping[str, Function]:
 
 FUNCTIONS = _found()
 """Every Function that a file of this folder defines, by name."""
+
+
+def classical(dimension: int = 30) -> dict[str, BenchmarkProblem]:
+    """Return F1 to F23 of Yao, Liu & Lin (1999), of `dimension` where that is free.
+
+    F6 is without rounding and F20 has p_32 = 0.1415, as in the programs of the whale and wolf
+    papers, which number the functions alike.
+    """
+    found = [FUNCTIONS[name] for name in _NUMBERED]
+    return {f"F{k}": f.problem(f.fixed_dimension or dimension) for k, f in enumerate(found, 1)}

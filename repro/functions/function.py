@@ -20,7 +20,12 @@ class Function:
     is free; `at` holds one minimiser in the same way. `minimum` is the true minimum in exact
     arithmetic. A kernel that `needs_room` writes n numbers of its own into its second argument, so
     that the loop with the sines is one that vectorises, and the sum keeps its order. `cancels` is
-    the size of the terms that cancel at the minimum: a fixed part, and one per coordinate.
+    the size of the terms that cancel at the minimum: a fixed part, and one per coordinate. Where
+    the function `adds_up` it is a sum of one term a coordinate, and `minimum` is that of one term.
+
+    A kernel whose `noise` is above 0 adds a draw from 0 to below that at every evaluation, from a
+    state of `noise_room` numbers at the start of its second argument (see repro.determinism.noise).
+    Where no run put one there it adds nothing, and `minimum` is that without noise.
     """
 
     name: str
@@ -33,9 +38,12 @@ class Function:
     fixed_dimension: int | None = None
     needs_room: bool = False
     cancels: tuple[float, float] = (0.0, 0.0)
+    adds_up: bool = False
+    noise: float = 0.0
+    noise_room: int = 0
 
     def __call__(self, x: Vector) -> float:
-        """Return the value at one point of shape (n,)."""
+        """Return the value at one point of shape (n,), without noise."""
         point = np.ascontiguousarray(x, dtype=np.float64)
         if point.ndim != 1:
             message = f"{self.name} takes one point of shape (n,), not an array of {point.shape}"
@@ -89,13 +97,24 @@ class BenchmarkProblem:
     @property
     def scratch(self) -> int:
         """How many numbers at the start of the data the cost writes over."""
-        return self.dimension if self.function.needs_room else 0
+        own = self.dimension if self.function.needs_room else 0
+        return own + self.function.noise_room
+
+    @property
+    def noise(self) -> float:
+        """What every draw that the cost adds is below; 0 where it adds none."""
+        return self.function.noise
+
+    @property
+    def minimum(self) -> float:
+        """The least cost, without noise."""
+        return self.function.minimum * (self.dimension if self.function.adds_up else 1)
 
     @property
     def step(self) -> float:
         """How far apart doubles stand where the cost adds up to its minimum; 0 about a bare 0."""
         fixed, each = self.function.cancels
-        size = max(abs(self.function.minimum), fixed + each * self.dimension)
+        size = max(abs(self.minimum), fixed + each * self.dimension)
         return float(np.spacing(size)) if size else 0.0
 
     @property

@@ -42,6 +42,30 @@ def _ackley(x, room):
 
 
 @jit
+def _schwefel_2_26(x, room):
+    n = len(x)
+    for j in range(n):  # sin y is cos(y - pi / 2)
+        room[j] = x[j] * cosine_of_turns(math.sqrt(abs(x[j])) / (2.0 * math.pi) - 0.25)
+    total = 0.0
+    for j in range(n):
+        total -= room[j]
+    return total
+
+
+@jit
+def _griewank(x, room):
+    n = len(x)
+    for j in range(n):
+        room[j] = cosine_of_turns(x[j] / math.sqrt(j + 1.0) / (2.0 * math.pi))
+    squares = 0.0
+    product = 1.0
+    for j in range(n):
+        squares += x[j] * x[j]
+        product *= room[j]
+    return squares / 4000.0 - product + 1.0
+
+
+@jit
 def _alpine_1(x, data):  # noqa: ARG001 (every cost kernel has the same two arguments)
     total = 0.0
     for value in x:
@@ -49,6 +73,17 @@ def _alpine_1(x, data):  # noqa: ARG001 (every cost kernel has the same two argu
     return total
 
 
+schwefel_2_26 = Function(
+    name="schwefel_2_26",
+    title="Schwefel 2.26",
+    kernel=_schwefel_2_26,
+    box=((-500.0, 500.0),),
+    minimum=-418.982887272433706274786435,
+    at=(420.968746359982027311844365,),
+    source=f"{_YAO}, f8",
+    needs_room=True,
+    adds_up=True,
+)
 rastrigin = Function(
     name="rastrigin",
     title="Rastrigin",
@@ -70,6 +105,17 @@ ackley = Function(
     source=f"{_YAO}, f10",
     needs_room=True,
     cancels=(20.0 + math.e, 0.0),
+)
+griewank = Function(
+    name="griewank",
+    title="Griewank",
+    kernel=_griewank,
+    box=((-600.0, 600.0),),
+    minimum=0.0,
+    at=(0.0,),
+    source=f"{_YAO}, f11",
+    needs_room=True,
+    cancels=(1.0, 0.0),
 )
 alpine_1 = Function(
     name="alpine_1",

@@ -38,7 +38,7 @@ class ShiftedProblem:
             raise InputError(message)
 
     def __call__(self, x: Vector) -> float:
-        """Return the value at one point of shape (n,)."""
+        """Return the value at one point of shape (n,), without noise."""
         point = np.ascontiguousarray(x, dtype=np.float64)
         if point.shape != (self.problem.dimension,):
             message = f"a point of shape ({self.problem.dimension},) is needed, not {point.shape}"
@@ -79,6 +79,11 @@ class ShiftedProblem:
     def scratch(self) -> int:
         """How many numbers at the start of the data the cost writes over."""
         return self.problem.scratch + self.problem.dimension
+
+    @property
+    def noise(self) -> float:
+        """What every draw that f adds is below; 0 where it adds none."""
+        return self.problem.noise
 
     @property
     def identity(self) -> tuple[object, ...]:

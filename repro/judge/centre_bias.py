@@ -103,7 +103,7 @@ def centre_biases(paper: Paper, evidence: Evidence) -> tuple[CentreBias, ...]:
 def _centre_bias(experiment: Experiment, costs: Costs) -> CentreBias:
     problems = centred(experiment)
     names = (*experiment.algorithms, CONTROL, FLOOR)
-    minima = {problem: experiment.problems[problem].function.minimum for problem in problems}
+    minima = {problem: experiment.problems[problem].minimum for problem in problems}
     return CentreBias(
         experiment=experiment,
         algorithms=names,

@@ -25,7 +25,7 @@ def known_minimum(
     `label` is "experiment/problem", by which a certificate names it.
     """
     if isinstance(problem, BenchmarkProblem):
-        return KnownMinimum(value=problem.function.minimum, how="minimum of the function")
+        return KnownMinimum(value=problem.minimum, how="minimum of the function")
     if isinstance(problem, PathFitting):
         inside = problem.allows(problem.nearest())
         return KnownMinimum(value=problem.least_cost(), how="least squares") if inside else None

@@ -47,6 +47,11 @@ class Weighed:
         """Whether the number is contradicted."""
         return self.shown.verdict is Verdict.CONTRADICTED
 
+    @property
+    def allowed(self) -> bool:
+        """Whether the text allows the reading."""
+        return self.reading is None or not self.reading.ruled_out
+
 
 def turned(own: Weighed, others: Sequence[Weighed]) -> tuple[str, ...]:
     """Return the names of the readings and settings on which a verdict turns.
@@ -54,8 +59,10 @@ def turned(own: Weighed, others: Sequence[Weighed]) -> tuple[str, ...]:
     A number is contradicted where every reading contradicts it, so a reading that holds it counts
     without more. Of many readings some contradict by chance, so one that contradicts what is held
     counts only if it does at the 5 % level with Holm's correction for all that bear on the number.
-    A setting whose neighbouring values lead past the number on either side leads through it.
+    A setting whose neighbouring values lead past the number on either side leads through it. On
+    what the text rules out nothing turns.
     """
+    others = [other for other in others if other.allowed]
     holding = [other for other in others if other.held]
     opposed = _surely_contradicting(others)
     if own.held:
@@ -68,9 +75,9 @@ def turned(own: Weighed, others: Sequence[Weighed]) -> tuple[str, ...]:
 def seeming(own: Weighed, others: Sequence[Weighed]) -> tuple[Weighed, ...]:
     """Return the outcomes that would turn the verdict, whether or not that is sure yet."""
     if own.held:
-        return tuple(other for other in others if other.contradicted)
+        return tuple(other for other in others if other.contradicted and other.allowed)
     if own.contradicted:
-        return tuple(other for other in others if other.held)
+        return tuple(other for other in others if other.held and other.allowed)
     return ()
 
 

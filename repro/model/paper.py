@@ -35,11 +35,13 @@ class Alternative:
     object, or the fields to replace. `protocol` maps an experiment to fields of it to replace
     (population, iterations, runs). `claims` take the place of the claims on the same cells or
     sentences. `at` is the value of an open setting. It runs as deep as the protocol where
-    `full_depth` says so.
+    `full_depth` says so. One that the text has `ruled_out` is run and shown as a note: no verdict
+    may turn on it.
     """
 
     says: str
     name: str = ""
+    ruled_out: bool = False
     at: float | None = None
     full_depth: bool = False
     algorithms: Mapping[tuple[str, str], Any] = field(default_factory=dict)
@@ -111,8 +113,8 @@ class Paper:
     claimed; `relations` say what printed numbers must be to each other; `motion_readings` are
     motion problems as the paper may also be read; `together` names the alternatives that are also
     tried in every combination; `summary` says in one sentence what the paper reports; `read_twice`
-    that its tables were transcribed a second time, blind, and agree; `control` that its numbers are
-    there to test the re-run, and not the other way round.
+    that its tables were transcribed a second time, blind, and agree. A `control` is a paper whose
+    numbers our own programs should make: it says whether these are the papers'.
     """
 
     key: str

@@ -20,6 +20,7 @@ _NO_TEXTS: Mapping[str, tuple[type, ...]] = MappingProxyType(
     {
         "year": (int, str),
         "at": (int, float),
+        "ruled_out": (bool,),
         "open": (bool,),
         "full_depth": (bool,),
         "result": (bool,),

@@ -128,7 +128,7 @@ class FromMinimum:
         spread = statistic == "std"
         return replace(
             self,
-            minimum=0.0 if spread else problem.function.minimum,
+            minimum=0.0 if spread else problem.minimum,
             step=problem.step,
             zero=ZERO_STD if spread else ZERO_FITNESS,
         )

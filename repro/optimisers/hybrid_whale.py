@@ -16,39 +16,32 @@ from typing import Any, Literal, Self, Unpack, get_args
 import numpy as np
 
 from repro.determinism.compiled import jit
-from repro.determinism.draws import below, normal, uniform
+from repro.determinism.draws import below, uniform
 from repro.determinism.sines import cosine_of_turns
 from repro.errors import InputError
 from repro.optimisers.choices import check_choices
-from repro.optimisers.population import BoundsRule, copy_into, hold, some_of
-from repro.optimisers.search import Budget, Problem, Result, Spending, search
-from repro.optimisers.tent_map import STARTS, Start, started, tent
-
-_LEAST = 4  # rand/1/bin needs three whales besides the one that it changes
-
-# places of the parameters in the vector that the kernel is given
-(
-    START,
+from repro.optimisers.hybrid_places import (
+    BOUNDS,
     CONTROL,
-    SPIRAL_FIRST,
-    SPIRAL_LAST,
+    DISTURBANCE,
+    FITTEST,
+    LEADER,
     PROBABILITY,
     SELECTS,
-    VECTOR,
-    LEADER,
-    SPIRAL_RANGE,
-    WORST,
-    SCALE,
-    CROSSOVER,
-    FITTEST,
-    MUTATION,
-    GREEDY,
-    DISTURBANCE,
-    PARTNER,
     SHARED,
-    ANY,
-    BOUNDS,
-) = range(20)
+    SPIRAL_FIRST,
+    SPIRAL_LAST,
+    SPIRAL_RANGE,
+    START,
+    VECTOR,
+    WORST,
+)
+from repro.optimisers.population import BoundsRule, copy_into, hold
+from repro.optimisers.search import Budget, Problem, Result, Spending, search
+from repro.optimisers.tent_map import STARTS, Start, started
+from repro.optimisers.whale_evolution import disturb, evolve
+
+_LEAST = 4  # rand/1/bin needs three whales besides the one that it changes
 
 
 @jit
@@ -58,6 +51,7 @@ def _hybrid(cost, data, bounds, population, iterations, parameters, state):
     X = started(bounds, population, parameters[START], state)
     costs = np.empty(population)
     best = np.zeros(bounds.shape[0])
+    chain = np.zeros_like(best)
     best_cost = np.inf
     history = np.empty(iterations)
     for t in range(iterations):
@@ -68,92 +62,16 @@ def _hybrid(cost, data, bounds, population, iterations, parameters, state):
                 best_cost = costs[i]
                 copy_into(best, X[i])
         if worst + fittest > 0:
-            best_cost = _evolve(cost, data, bounds, X, costs, best, best_cost, parameters, state)
+            best_cost = evolve(cost, data, bounds, X, costs, best, best_cost, parameters, state)
         if disturbance > 0.0:
             amplitude = disturbance * (1.0 - t / iterations)
-            best_cost = _disturb(
-                cost, data, bounds, best, best_cost, amplitude, parameters[BOUNDS], state
+            best_cost = disturb(
+                cost, data, bounds, best, best_cost, amplitude, chain, parameters, state
             )
         history[t] = best_cost
         _move(X, best, t, iterations, parameters, state)
     extra = worst + fittest + (1 if disturbance > 0.0 else 0)
     return best, best_cost, history, iterations * (population + extra)
-
-
-@jit
-def _differential(X, i, F, CR, state):
-    population, n = X.shape
-    r1 = r2 = r3 = i
-    while r1 == i:
-        r1 = below(population, state)
-    while r2 in (i, r1):
-        r2 = below(population, state)
-    while r3 in (i, r1, r2):
-        r3 = below(population, state)
-    U = X[i].copy()
-    for j in range(n):
-        if uniform(state) <= CR:
-            U[j] = X[r1, j] + F * (X[r2, j] - X[r3, j])
-    return U
-
-
-@jit
-def _crossover(X, i, best, with_best, bounds, sigma, state):
-    population, n = X.shape
-    k = i
-    while k == i and not with_best:
-        k = below(population, state)
-    alpha = uniform(state)
-    child = np.empty(n)
-    for j in range(n):
-        width = bounds[j, 1] - bounds[j, 0]
-        other = best[j] if with_best else X[k, j]
-        child[j] = alpha * X[i, j] + (1.0 - alpha) * other + sigma * width * normal(state)
-    return child
-
-
-@jit
-def _evolve(cost, data, bounds, X, costs, best, best_cost, parameters, state):
-    """Evolve the worst and the best whales, and return the best cost known after that."""
-    worst, fittest = int(parameters[WORST]), int(parameters[FITTEST])
-    population = len(costs)
-    order = np.argsort(costs, kind="mergesort")
-    evolved = order[population - worst :]
-    if parameters[ANY] == 1.0:
-        evolved = some_of(population, worst, state)
-    for rank in range(worst + fittest):
-        if rank < worst:
-            i = evolved[rank]
-            candidate = _differential(X, i, parameters[SCALE], parameters[CROSSOVER], state)
-        else:
-            i = order[rank - worst]
-            with_best = parameters[PARTNER] == 1.0
-            candidate = _crossover(X, i, best, with_best, bounds, parameters[MUTATION], state)
-        hold(candidate, bounds, parameters[BOUNDS], state)
-        value = cost(candidate, data)
-        if value < costs[i] or parameters[GREEDY] == 0.0:
-            costs[i] = value
-            copy_into(X[i], candidate)
-        if value < best_cost:
-            best_cost = value
-            copy_into(best, candidate)
-    return best_cost
-
-
-@jit
-def _disturb(cost, data, bounds, best, best_cost, amplitude, rule, state):
-    """Try one chaotic step from the best point, and return the best cost known after that."""
-    candidate = np.empty_like(best)
-    for j in range(len(best)):
-        z = tent(uniform(state))
-        width = bounds[j, 1] - bounds[j, 0]
-        candidate[j] = best[j] + amplitude * width * (2.0 * z - 1.0)
-    hold(candidate, bounds, rule, state)
-    value = cost(candidate, data)
-    if value < best_cost:
-        copy_into(best, candidate)
-        return value
-    return best_cost
 
 
 @jit
@@ -216,8 +134,11 @@ class HybridWOA:
     per whale or per coordinate, `shared_draw` whether both come from one number; `leader` says of
     X_rand what `coefficients` says of A and C; `spiral_range` is that of l. `differential` and
     `genetic` are shares of the population, `evolves` says which whales the first means, `scale`
-    and `crossover` are F and CR, `mutation` and `disturbance` shares of the width of the box;
-    `partner` is the one to cross with. `bounds` says what becomes of a coordinate outside the box.
+    and `crossover` are F and CR, `mutation` and `disturbance` shares of the width of the box, or
+    of the coordinate if it `perturbs` in proportion; `partner` is the one to cross with. `bounds`
+    says what becomes of a coordinate outside the box, `chain` whether the disturbance makes one
+    step of the Tent map from a new draw, or the next of an orbit, which starts anew at 0: there
+    any orbit of doubles ends.
     """
 
     start: Start = "uniform"
@@ -239,6 +160,8 @@ class HybridWOA:
     shared_draw: bool = False
     evolves: Literal["the worst", "any"] = "the worst"
     bounds: BoundsRule = "clip"
+    perturbs: Literal["by the box", "in proportion"] = "by the box"
+    chain: Literal["one step", "going on"] = "one step"
 
     def __post_init__(self) -> None:
         """Raise InputError for a share outside [0, 1], or an unknown word."""
@@ -292,4 +215,6 @@ class HybridWOA:
             self.shared_draw,
             self.evolves == "any",
             get_args(BoundsRule).index(self.bounds),
+            self.perturbs == "in proportion",
+            self.chain == "going on",
         )

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from repro.determinism.compiled import COST, SEARCH, ready
 from repro.determinism.draws import state_from
+from repro.determinism.noise import ROOM
 from repro.errors import InputError
 
 Vector = NDArray[np.float64]
@@ -112,6 +113,32 @@ class NeedsScratch(Protocol):
     @property
     def scratch(self) -> int:
         """How many."""
+
+
+@runtime_checkable
+class AddsNoise(Protocol):
+    """A problem whose cost may add a draw, another one at every evaluation.
+
+    It draws by a state at the start of the data (see repro.determinism.noise).
+    """
+
+    @property
+    def noise(self) -> float:
+        """What every draw is below; 0 where it adds none."""
+
+
+def noise_of(problem: Problem) -> float:
+    """Return what the noise of a cost is below: draws start at 0, and that is none."""
+    return problem.noise if isinstance(problem, AddsNoise) else 0.0
+
+
+def without_noise(problem: Problem, data: Vector) -> Vector:
+    """Return data with which the cost adds no noise: the same, where it adds none anyway."""
+    if not noise_of(problem):
+        return data
+    silent = data.copy()
+    silent[:ROOM] = 0.0
+    return silent
 
 
 @runtime_checkable

@@ -23,6 +23,7 @@ from repro.report.results import (
     PROVENANCE,
     Environments,
     Json,
+    impossible_rows,
     merged,
     merged_provenance,
     paper_result,
@@ -40,7 +41,15 @@ from repro.report.views.readings import readings_view, settings_of
 from repro.report.views.runs import runs_view
 from repro.report.views.search_box import search_rows
 from repro.report.views.times import time_cells
-from repro.report.words import MEANINGS, RESULTS, SYMBOLS, again_command, markdown_cell, number
+from repro.report.words import (
+    IMPOSSIBLE,
+    MEANINGS,
+    RESULTS,
+    SYMBOLS,
+    again_command,
+    markdown_cell,
+    number,
+)
 
 Files = dict[str, str]
 ANOTHER_SEED = "another-seed.json"
@@ -150,6 +159,7 @@ def index_files(results: Json, another_seed: Json | None = None) -> Files:
         "controls": [paper for paper in papers if paper["control"]],
         "others": [paper for paper in papers if not paper["control"]],
         "counts_of": verdict_counts,
+        "impossible_of": impossible_rows,
         "verdicts": [v for v in Verdict if v != Verdict.NOT_RUN or not_run],
         "search_rows": search_rows(papers),
         "another_seed": another_seed,
@@ -183,7 +193,7 @@ def _templates(*, markdown: bool) -> Environment:
     environment.globals |= {"viewer": viewer, "again_command": again_command}
     environment.globals |= {"level": LEVEL, "tables_drawn": TABLES, "HOW": VERDICTS}
     environment.globals |= {"SYMBOLS": SYMBOLS, "MEANINGS": MEANINGS, "VERDICTS": tuple(Verdict)}
-    environment.globals |= {"RESULTS": RESULTS}
+    environment.globals |= {"RESULTS": RESULTS, "IMPOSSIBLE": IMPOSSIBLE}
     return environment
 
 

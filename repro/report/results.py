@@ -13,6 +13,7 @@ from repro.judge.judgement import Judgement
 from repro.model.paper import Assumption
 from repro.report.calibration import calibration
 from repro.report.plain_rows import rows_of_standings, rows_of_tests
+from repro.tables.rows import Grade
 
 SCHEMA = 2
 BEFORE = 1
@@ -150,6 +151,15 @@ def read_json(path: Path) -> Json | None:
 def results_text(results: Json) -> str:
     """Return results.json as text."""
     return json.dumps(results, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def impossible_rows(entry: Mapping[str, Any]) -> list[Json]:
+    """Return the audit rows of a paper that no runs whatever can give; those are counted."""
+    return [
+        row
+        for row in entry["audit"]
+        if row["grade"] == Grade.IMPOSSIBLE and row.get("condition") is None
+    ]
 
 
 def verdict_counts(entry: Mapping[str, Any]) -> Counter[str]:

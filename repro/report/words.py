@@ -31,6 +31,10 @@ MEANINGS = {
     Verdict.NOT_REPRODUCIBLE: "the paper does not print what a re-run needs",
     Verdict.NOT_RUN: "the runs are not in the store",
 }
+IMPOSSIBLE = (
+    "no runs in single or double precision, summed in any usual order, rounded or cut off, give "
+    "what is printed"
+)
 RESULTS = (
     "What one sentence, one constraint or one slip decides is one result, however many numbers "
     "show it, and as a whole it has the gravest verdict among them. Inputs, and what is true by "

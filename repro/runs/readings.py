@@ -33,6 +33,11 @@ class Reading:
             for assumption, alternative in zip(self.of, self.alternatives, strict=True)
         )
 
+    @property
+    def ruled_out(self) -> bool:
+        """Whether the text does not allow it, so that it is a note."""
+        return any(alternative.ruled_out for alternative in self.alternatives)
+
     def touching(self, experiment: str) -> "Reading":
         """Return what of it changes an experiment, by whose name its runs are named."""
         kept = [

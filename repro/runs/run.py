@@ -40,7 +40,7 @@ def execute(task: Task) -> Record:
     """
     start = time.perf_counter()
     try:
-        given = Given.of(task.subject)
+        given = Given.of(task.subject, task.stream)
         budget = _budget(task)
         result = task.optimiser.minimise(
             given, population=task.population, rng=generator(task.stream), **budget

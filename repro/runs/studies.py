@@ -43,10 +43,12 @@ def studies(paper: Paper, repeats: int) -> tuple[Study, ...]:
     """Return what is run besides the protocol when that is repeated `repeats` times.
 
     A single repeat is a quick look, for which nothing else is run; baselines and equal budgets are
-    not run before the protocol is repeated ten times.
+    not run before the protocol is repeated ten times, and of a control nothing but its readings.
     """
     if repeats < 2:
         return ()
+    if paper.control:
+        return _readings(paper, repeats)
     besides = _fair(paper) if repeats >= PER_STUDY else ()
     return (*_readings(paper, repeats), *_shifts(paper), *besides)
 

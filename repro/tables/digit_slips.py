@@ -1,12 +1,14 @@
-"""One slip in a printed number: a digit changed, lost or added, or two neighbours exchanged."""
+"""One slip in a printed number: a digit changed, lost or added, or two digits exchanged."""
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from itertools import pairwise
+from itertools import combinations
 
 from repro.tables.published import Printed
 
 DIGITS = "0123456789"
+_WHOLE = re.compile(r"[-+]?\d+(\.\d+)?")  # what a mantissa looks like; a multiple of π has none
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,8 +25,13 @@ def slips(printed: Printed) -> Iterator[Slip]:
     power = min((body.find(mark) for mark in "×xeE" if mark in body), default=len(body))
     mantissa, rest = body[:power], body[power:]
     seen = {mantissa}
-    for text, words in (*_changed(mantissa), *_exchanged(mantissa), *_lost(mantissa)):
-        if text not in seen:
+    for text, words in (
+        *_changed(mantissa),
+        *_exchanged(mantissa),
+        *_lost(mantissa),
+        *_added(mantissa),
+    ):
+        if text not in seen and _WHOLE.fullmatch(text):
             seen.add(text)
             yield Slip(replace(printed, text=text + rest), words)
 
@@ -38,10 +45,10 @@ def _changed(mantissa: str) -> Iterator[tuple[str, str]]:
 
 def _exchanged(mantissa: str) -> Iterator[tuple[str, str]]:
     places = [i for i, mark in enumerate(mantissa) if mark.isdigit()]
-    for i, j in pairwise(places):
+    for (k, i), (m, j) in combinations(enumerate(places), 2):
         marks = list(mantissa)
         marks[i], marks[j] = marks[j], marks[i]
-        yield "".join(marks), "two neighbouring digits exchanged"
+        yield "".join(marks), f"two {'neighbouring ' if m == k + 1 else ''}digits exchanged"
 
 
 def _lost(mantissa: str) -> Iterator[tuple[str, str]]:
@@ -50,3 +57,9 @@ def _lost(mantissa: str) -> Iterator[tuple[str, str]]:
     for i in range(point + 1, len(mantissa) + 1) if point >= 0 else ():
         for digit in DIGITS:
             yield mantissa[:i] + digit + mantissa[i:], "one digit lost"
+
+
+def _added(mantissa: str) -> Iterator[tuple[str, str]]:
+    for i, mark in enumerate(mantissa):
+        if mark.isdigit():
+            yield mantissa[:i] + mantissa[i + 1 :], "one digit too many"

@@ -3,10 +3,13 @@
 import math
 from collections.abc import Iterator
 from fractions import Fraction
+from functools import partial
 
+from repro.tables.arithmetic import IN_DOUBLES
 from repro.tables.blocks import Block
+from repro.tables.graded import graded
 from repro.tables.rows import AuditRow, Grade, audit_row
-from repro.tables.true_numbers import Span, exact, shown, span, statistic_span
+from repro.tables.true_numbers import Span, exact, shown, span
 
 RUNS = 1000  # the largest number of runs that is tried to explain a spread of rounding
 SPACINGS = 16  # a computed mean of equal values is off by fewer of its last bits than this
@@ -14,20 +17,19 @@ SPACINGS = 16  # a computed mean of equal values is off by fewer of its last bit
 
 def double_rows(paper: str, block: Block) -> Iterator[AuditRow]:
     """Yield rows for values below the minimum, between two doubles, and for spreads of rounding."""
-    for statistic in ("best", "mean", "median", "worst"):
-        if statistic in block.cells:
-            for check, explanation in (
-                ("below-minimum", _below_minimum(block, statistic)),
-                ("double-step", _between_doubles(block, statistic)),
-            ):
-                if explanation:
-                    yield audit_row(
-                        paper,
-                        (block.cells[statistic],),
-                        check=check,
-                        grade=Grade.IMPOSSIBLE,
-                        explanation=explanation,
-                    )
+    for name in ("best", "mean", "median", "worst"):
+        if name in block.cells and block.function is not None:
+            yield from graded(
+                paper, block, (name,), check="below-minimum", finds=partial(_below_minimum, name)
+            )
+            yield from graded(
+                paper,
+                block,
+                (name,),
+                check="double-step",
+                finds=partial(_between_doubles, name),
+                condition=block.function.condition,
+            )
     if explanation := _rounding_spread(block):
         yield audit_row(
             paper,
@@ -35,17 +37,13 @@ def double_rows(paper: str, block: Block) -> Iterator[AuditRow]:
             check="std-at-rounding",
             grade=Grade.NOTED,
             explanation=explanation,
+            condition=IN_DOUBLES,
         )
 
 
-def _own_span(block: Block, statistic: str) -> Span:
-    return statistic_span(block.printed(statistic), scientific=block.scientific, spread=False)
-
-
-def _below_minimum(block: Block, statistic: str) -> str:
-    function = block.function
-    highest = _own_span(block, statistic).high
-    if function is None or highest >= function.floor:
+def _below_minimum(statistic: str, block: Block) -> str:
+    highest, function = block.own_span(statistic).high, block.function
+    if function is None or block.floor is None or highest >= block.floor:
         return ""
     return (
         f"printed is {block.printed(statistic).text}, at most {shown(highest)} with its rounding; "
@@ -54,9 +52,9 @@ def _below_minimum(block: Block, statistic: str) -> str:
     )
 
 
-def _between_doubles(block: Block, statistic: str) -> str:
+def _between_doubles(statistic: str, block: Block) -> str:
     """Explain a value above 0 that is less than the smallest step of a cancelling function."""
-    function, here = block.function, _own_span(block, statistic)
+    function, here = block.function, block.own_span(statistic)
     if function is None or not function.step or here.low <= 0:
         return ""
     step, runs = function.step, block.n if statistic == "mean" else 1
@@ -66,8 +64,7 @@ def _between_doubles(block: Block, statistic: str) -> str:
     least = f"{shown(step)}/{runs} = {shown(step / runs)}" if runs > 1 else shown(step)
     return (
         f"near its minimum 0, {function.title} takes values in steps of {shown(step)}, so {what} "
-        f"is 0 or at least {least}; printed is {block.printed(statistic).text}. This holds "
-        f"{function.condition}"
+        f"is 0 or at least {least}; printed is {block.printed(statistic).text}"
     )
 
 

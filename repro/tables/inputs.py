@@ -5,12 +5,12 @@ from itertools import pairwise
 
 from repro.tables.relations import EqualSpacing, InRange, SameNumbers
 from repro.tables.rows import AuditRow, Grade, audit_row
-from repro.tables.true_numbers import Span, exact, shown, span
+from repro.tables.true_numbers import SINGLES, Span, exact, shown, span
 
 
 def spacing_rows(paper: str, relation: EqualSpacing) -> Iterator[AuditRow]:
     """Yield a row where no common step fits all numbers within their rounding."""
-    spans = [span(number.printed) for number in relation.numbers]
+    spans = [span(number.printed, share=SINGLES) for number in relation.numbers]
     steps = [after - before for before, after in pairwise(spans)]
     if not steps:
         return
@@ -33,7 +33,8 @@ def spacing_rows(paper: str, relation: EqualSpacing) -> Iterator[AuditRow]:
 def range_rows(paper: str, relation: InRange) -> Iterator[AuditRow]:
     """Yield a row where a number lies outside its printed range."""
     here, low, high = (
-        span(number.printed) for number in (relation.value, relation.low, relation.high)
+        span(number.printed, share=SINGLES)
+        for number in (relation.value, relation.low, relation.high)
     )
     if here.high >= low.low and here.low <= high.high:
         return

@@ -3,9 +3,11 @@
 import math
 from collections.abc import Iterator
 from fractions import Fraction
+from functools import partial
 
 from repro.tables.blocks import Block
-from repro.tables.rows import AuditRow, Grade, audit_row
+from repro.tables.graded import graded
+from repro.tables.rows import AuditRow
 from repro.tables.true_numbers import Span, shown
 
 ORDERED = (("best", "median"), ("median", "worst"), ("best", "worst"))
@@ -14,29 +16,21 @@ MANY = 10**6  # from here on a number of runs is shown in round figures
 
 def order_rows(paper: str, block: Block) -> Iterator[AuditRow]:
     """Yield a row per pair that stands in the wrong order, and one for a mean out of reach."""
-    for lower, upper in ORDERED:
-        low, high = block.span(lower), block.span(upper)
-        if low and high and low.low > high.high:
-            yield audit_row(
-                paper,
-                (block.cells[lower], block.cells[upper]),
-                check="order",
-                grade=Grade.IMPOSSIBLE,
-                explanation=(
-                    f"{lower} {block.printed(lower).text} is greater than {upper} "
-                    f"{block.printed(upper).text}: at least {shown(low.low)} against at most "
-                    f"{shown(high.high)}"
-                ),
-            )
-    for explanation in (_mean_too_low(block), _mean_too_high(block)):
-        if explanation:
-            yield audit_row(
-                paper,
-                (block.cells["mean"],),
-                check="mean-bound",
-                grade=Grade.IMPOSSIBLE,
-                explanation=explanation,
-            )
+    for pair in ORDERED:
+        yield from graded(paper, block, pair, check="order", finds=partial(_reversed, *pair))
+    for finds in (_mean_too_low, _mean_too_high):
+        yield from graded(paper, block, ("mean",), check="mean-bound", finds=finds)
+
+
+def _reversed(lower: str, upper: str, block: Block) -> str:
+    low, high = block.span(lower), block.span(upper)
+    if low is None or high is None or low.low <= high.high:
+        return ""
+    return (
+        f"{lower} {block.printed(lower).text} is greater than {upper} "
+        f"{block.printed(upper).text}: at least {shown(low.low)} against at most "
+        f"{shown(high.high)}"
+    )
 
 
 def mean_is_attainable(block: Block) -> bool:

@@ -2,17 +2,21 @@
 
 import math
 from collections.abc import Iterator
+from fractions import Fraction
 
 from repro.tables.relations import Number, PValues
 from repro.tables.rows import AuditRow, Grade, audit_row
 from repro.tables.true_numbers import shown, span
+
+# In single precision z is off by a few 2^-24 of itself, and a p-value by z² times as much.
+COMPUTED = Fraction(1, 2**12)
 
 
 def p_value_rows(paper: str, relation: PValues) -> Iterator[AuditRow]:
     """Yield a row per p-value below what the test can give, exactly or by its approximation."""
     floors = sorted([_exact_floor(relation), _approximate_floor(relation)])
     for number in relation.numbers:
-        around = span(number.printed)
+        around = span(number.printed, share=COMPUTED)
         if around.high < floors[0] or around.low > 1:
             yield _row(paper, number, relation, Grade.IMPOSSIBLE)
         elif around.high < floors[1]:

@@ -8,19 +8,19 @@ from repro.tables.relations import AverageRank, TableCell
 from repro.tables.rows import AuditRow, Grade, audit_row
 from repro.tables.true_numbers import Span, exact, shown, span
 
-Values = Mapping[tuple[str, str], Fraction]
+Values = Mapping[tuple[str, str], Span]  # what can stand behind each cell
 
 
 def rank_rows(paper: str, relation: AverageRank) -> Iterator[AuditRow]:
     """Yield a row where average ranks do not follow from the cells, one where totals do not."""
-    values = {
-        (row, column): exact(relation.table[row, column].value)
-        for row in relation.rows
-        for column in relation.columns
-    }
+    places = [(row, column) for row in relation.rows for column in relation.columns]
+    points = [exact(relation.table[place].value) for place in places]
+    values = {place: Span(point, point) for place, point in zip(places, points, strict=True)}
     averages = _averages(relation, values)
     wrong = [name for name in relation.columns if not _fits(relation, name, averages[name])]
     if wrong:
+        unrounded = _averages(relation, {place: span(relation.table[place]) for place in places})
+        certain = not all(_fits(relation, name, unrounded[name]) for name in relation.columns)
         cells = [_cell(relation, relation.average, name) for name in wrong]
         given = "; ".join(
             f"{cell.column} {_in_words(averages[cell.column])}, printed {cell.printed.text}"
@@ -36,6 +36,7 @@ def rank_rows(paper: str, relation: AverageRank) -> Iterator[AuditRow]:
                 f"lowest), the mean ranks are {given}; the other "
                 f"{len(relation.columns) - len(wrong)} agree. {_exchange(relation, values)}"
             ),
+            condition=None if certain else "the ranks were taken from the numbers as printed",
         )
     if relation.total is not None:
         yield from _total_rows(paper, relation, relation.total)
@@ -75,8 +76,9 @@ def _averages(relation: AverageRank, values: Values) -> dict[str, Span]:
     return {name: Span(total.low / n, total.high / n) for name, total in sums.items()}
 
 
-def _rank(value: Fraction, rivals: Sequence[Fraction]) -> Span:
-    lower, same = sum(rival < value for rival in rivals), sum(rival == value for rival in rivals)
+def _rank(value: Span, rivals: Sequence[Span]) -> Span:
+    lower = sum(rival.high < value.low for rival in rivals)
+    same = sum(rival.meets(value) for rival in rivals)
     return Span(Fraction(1 + lower), Fraction(lower + same))
 
 

@@ -28,7 +28,9 @@ class AuditRow:
     """One thing that printed numbers say about themselves, with the arithmetic.
 
     `table` is a label, or a place in the text where no table is concerned. Either one cell is
-    concerned, at `row` and `column`, or these are None and `cells` lists those that are.
+    concerned, at `row` and `column`, or these are None and `cells` lists those that are. Where the
+    row needs more than that numbers are rounded or cut off and computed in single or double
+    precision, in any usual order of summing, `condition` says what: the end of "holds if …".
     """
 
     paper: str
@@ -39,6 +41,12 @@ class AuditRow:
     check: str
     grade: Grade
     explanation: str
+    condition: str | None = None
+
+    @property
+    def is_proof(self) -> bool:
+        """Whether no runs whatever give the print."""
+        return self.grade is Grade.IMPOSSIBLE and self.condition is None
 
 
 def audit_row(
@@ -48,6 +56,7 @@ def audit_row(
     check: str,
     grade: Grade,
     explanation: str,
+    condition: str | None = None,
 ) -> AuditRow:
     """Return the row that concerns `numbers`, filed under the first table among them."""
     cells = [number for number in numbers if isinstance(number, TableCell)]
@@ -63,6 +72,7 @@ def audit_row(
         check=check,
         grade=grade,
         explanation=explanation,
+        condition=condition,
     )
 
 

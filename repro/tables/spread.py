@@ -5,26 +5,29 @@ from fractions import Fraction
 
 from repro.tables.blocks import Block
 from repro.tables.extremes import Narrowest, Widest, narrowest, widest
+from repro.tables.graded import graded
 from repro.tables.order import gap, mean_is_attainable
-from repro.tables.rows import AuditRow, Grade, audit_row
+from repro.tables.rows import AuditRow
 from repro.tables.true_numbers import Span, factor, root, shown, times
 
 
 def spread_rows(paper: str, block: Block) -> Iterator[AuditRow]:
-    """Yield a row for a standard deviation that is too large, and one for one too small."""
-    if "std" not in block.cells or block.n < 2:
+    """Yield a row for a negative standard deviation, else for one too large and one too small."""
+    if "std" not in block.cells:
+        return
+    negative = list(graded(paper, block, ("std",), check="negative-std", finds=_negative))
+    yield from negative
+    if negative or block.n < 2:
         return
     small = "zero-std" if block.printed("std").value == 0 else "std-floor"
-    findings = {"std-bound": _too_large(block), small: _too_small(block)}
-    for check, explanation in findings.items():
-        if explanation:
-            yield audit_row(
-                paper,
-                (block.cells["std"],),
-                check=check,
-                grade=Grade.IMPOSSIBLE,
-                explanation=explanation,
-            )
+    for check, finds in (("std-bound", _too_large), (small, _too_small)):
+        yield from graded(paper, block, ("std",), check=check, finds=finds)
+
+
+def _negative(block: Block) -> str:
+    if block.own_span("std").high >= 0:
+        return ""
+    return f"printed is {block.printed('std').text}; no standard deviation is negative"
 
 
 def _too_large(block: Block) -> str:
@@ -34,7 +37,9 @@ def _too_large(block: Block) -> str:
     sample = widest(block.n, low, min(highs, default=None), mean)
     if std is None or sample is None or std.low <= 0:
         return ""
-    if std.low**2 * (block.n - 1) <= sample.squares:
+    # squares are taken about the computed mean, and every step of them is rounded
+    squares = sample.squares + block.n * block.mean_error**2
+    if std.low**2 * (block.n - 1) <= squares * (1 + _rounded(block)):
         return ""
     most = root(sample.squares / (block.n - 1))
     return (
@@ -62,9 +67,9 @@ def _known(block: Block, sample: Widest) -> str:
 def _too_small(block: Block) -> str:
     std = block.span("std")
     least, words = _least(block)
-    if std is not None and std.high < 0:
-        return f"printed is {block.printed('std').text}; no standard deviation is negative"
-    if std is None or least is None or std.high**2 * block.n >= least.squares:
+    if std is None or least is None:
+        return ""
+    if std.high**2 * block.n >= least.squares * (1 - _rounded(block)):
         return ""
     bound = root(least.squares / block.n)
     printed = (
@@ -79,6 +84,11 @@ def _too_small(block: Block) -> str:
         f"sqrt(({least.formula})/{block.n}) = {shown(bound)} in the n form (more in the n−1 "
         f"form); {printed}"
     )
+
+
+def _rounded(block: Block) -> Fraction:
+    """Return what share a computed sum of n squares may be off by, its root rounded too."""
+    return 3 * (block.n + 6) * block.given.roundoff
 
 
 def _least(block: Block) -> tuple[Narrowest | None, str]:

@@ -6,14 +6,14 @@ from fractions import Fraction
 from functools import reduce
 from operator import add, sub
 
+from repro.tables.arithmetic import IN_DOUBLES
 from repro.tables.digit_slips import slips
 from repro.tables.published import Printed
 from repro.tables.relations import Less, Number, PercentLower, Sum, TableCell
 from repro.tables.rows import AuditRow, Grade, audit_row
-from repro.tables.true_numbers import Span, exact, shown, span, unit
+from repro.tables.true_numbers import DOUBLES, SINGLES, Span, exact, shown, span, unit
 
 Formula = Callable[[Sequence[Span]], Span]
-LISTED = 4  # explanations by one slip that are spelt out
 
 
 def sum_rows(paper: str, relation: Sum) -> Iterator[AuditRow]:
@@ -45,7 +45,12 @@ def percentage_rows(paper: str, relation: PercentLower) -> Iterator[AuditRow]:
     before, after = relation.before, relation.after
     if span(before.printed).low <= 0:  # a share of nothing is no percentage
         return
-    if _reduction(before.printed, after.printed).meets(span(relation.printed.printed)):
+
+    def agrees(share: Fraction) -> bool:
+        found = _reduction(before.printed, after.printed, share)
+        return found.meets(span(relation.printed.printed, share=share))
+
+    if agrees(DOUBLES):
         return
     yield audit_row(
         paper,
@@ -57,6 +62,7 @@ def percentage_rows(paper: str, relation: PercentLower) -> Iterator[AuditRow]:
             f"{before.printed.text} ({before.where}) to {after.printed.text} ({after.where}) it "
             f"is {_arithmetic(before.printed, after.printed)}. {_other_pairs(relation)}"
         ),
+        condition=IN_DOUBLES if agrees(SINGLES) else None,
     )
 
 
@@ -70,9 +76,14 @@ def _checked(
     sign: str,
 ) -> Iterator[AuditRow]:
     """Yield a row where no numbers behind the printed parts give one behind the printed result."""
-    possible, printed = formula([span(part.printed) for part in parts]), span(result.printed)
-    if possible.meets(printed):
+
+    def agrees(share: Fraction) -> bool:
+        possible = formula([span(part.printed, share=share) for part in parts])
+        return possible.meets(span(result.printed, share=share))
+
+    if agrees(DOUBLES):
         return
+    possible = formula([span(part.printed) for part in parts])
     value = formula([_point(part.printed) for part in parts]).low
     yield audit_row(
         paper,
@@ -85,38 +96,46 @@ def _checked(
             f"is {result.printed.text} ({result.where}), off by "
             f"{_in_full(exact(result.printed.value) - value)}. {_explained(result, parts, formula)}"
         ),
+        condition=IN_DOUBLES if agrees(SINGLES) else None,
     )
 
 
 def _explained(result: Number, parts: Sequence[Number], formula: Formula) -> str:
-    """Say which single slips in one of the numbers would explain the difference."""
-    points = [_point(part.printed) for part in parts]
-    found = [
-        f"{slip.meant.text} for {part.printed.text} ({slip.words})"
-        for i, part in enumerate(parts)
-        for slip in slips(part.printed)
-        if _rounds_to(
-            formula([*points[:i], _point(slip.meant), *points[i + 1 :]]).low, result.printed
-        )
-    ]
-    found += [
-        f"{slip.meant.text} for {result.printed.text} ({slip.words})"
-        for slip in slips(result.printed)
-        if _rounds_to(formula(points).low, slip.meant)
-    ]
-    if not found:
+    """Say which single slips in one of the numbers would close the sum, and how many they are."""
+    printed = [*(part.printed for part in parts), result.printed]
+    exactly, within = [], []
+    for i, number in enumerate(printed):
+        for slip in slips(number):
+            meant = [*printed[:i], slip.meant, *printed[i + 1 :]]
+            addends, total = meant[:-1], meant[-1]
+            words = f"{slip.meant.text} for {number.text} ({slip.words})"
+            if _rounds_to(formula(list(map(_point, addends))).low, total):
+                exactly.append(words)
+            elif formula(list(map(span, addends))).meets(span(total)):
+                within.append(words)
+    if not exactly and not within:
         return "No single slip in one of the numbers explains it"
-    more = f", and {len(found) - LISTED} more" if len(found) > LISTED else ""
-    return f"One slip would explain it: {' or '.join(found[:LISTED])}{more}"
+    return ". ".join(
+        f"{_counted(len(found))} would close it {how}: {', '.join(found)}"
+        for found, how in (
+            (exactly, "with the other numbers as they are printed"),
+            (within, "only with the rounding of the others"),
+        )
+        if found
+    )
+
+
+def _counted(count: int) -> str:
+    return "1 single slip" if count == 1 else f"{count} single slips, any one of them,"
 
 
 def _rounds_to(value: Fraction, printed: Printed) -> bool:
     return abs(value - exact(printed.value)) <= unit(printed) / 2
 
 
-def _reduction(before: Printed, after: Printed) -> Span:
+def _reduction(before: Printed, after: Printed, share: Fraction) -> Span:
     """Return every reduction in percent that two positive printed numbers allow."""
-    old, new = span(before), span(after)
+    old, new = span(before, share=share), span(after, share=share)
     return Span(100 * (1 - new.high / old.low), 100 * (1 - new.low / old.high))
 
 

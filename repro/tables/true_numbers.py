@@ -12,13 +12,14 @@ from repro.tables.published import Printed, PublishedTable
 # underflow, at the square root of the smallest subnormal double.
 ZERO_FITNESS = 2.2250738585072014e-308
 ZERO_STD = 2.2227587494850775e-162
-# An average or a spread of doubles is off by a few units of their 53rd bit, far below what is
-# printed; this share of a printed number covers it and spares the bounds its analysis.
+# What a printed number of doubles, or of single precision, is off by beside its rounding: a few
+# units of the 53rd or 24th bit of what it was computed from.
 DOUBLES = Fraction(1, 2**40)
+SINGLES = Fraction(1, 2**20)
 TINY = Fraction(ZERO_FITNESS)  # below it a double loses digits, or is flushed to 0
-# Squares of differences underflow, so a computed standard deviation is off by up to
-# sqrt(1.5) times this: 3 roundings of half the smallest subnormal double in the variance.
-TINY_STD = 2 * Fraction(ZERO_STD)
+# Squares of differences underflow or are flushed, so a computed standard deviation is off by up
+# to sqrt(2) times the root of the smallest normal double.
+TINY_STD = Fraction(1, 2**510)
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,33 +52,26 @@ def unit(printed: Printed) -> Fraction:
     return 2 * exact(printed.rounding)
 
 
-def span(printed: Printed) -> Span:
-    """Return what can stand behind a number that was rounded or cut off, in the printed unit."""
-    value, last = exact(printed.value), unit(printed)
-    below = last if value <= 0 else last / 2
-    above = last if value >= 0 else last / 2
-    slack = DOUBLES * abs(value)
-    return Span(value - below - slack, value + above + slack)
+def span(printed: Printed, *, last: Fraction | None = None, share: Fraction = DOUBLES) -> Span:
+    """Return what can stand behind a number that was rounded or cut off, in the printed unit.
 
-
-def statistic_span(printed: Printed, *, scientific: bool, spread: bool) -> Span:
-    """Return what can stand behind a printed statistic of doubles.
-
-    Where a table prints powers of ten (`scientific`), a bare 0 has no last digit: it stands for
-    what doubles cannot hold or square. `spread` says that the statistic is a standard deviation.
+    `last` is the unit that it was rounded to, if not that of its last digit; `share` of the number
+    is what its arithmetic may be off by.
     """
-    tiny = TINY_STD if spread else TINY
-    floating = _is_scientific(printed) or (scientific and "." not in printed.text)
-    around = Span(Fraction(0), Fraction(0)) if printed.value == 0 and floating else span(printed)
-    return Span(around.low - tiny, around.high + tiny)
+    value, step = exact(printed.value), last or unit(printed)
+    below = step if value <= 0 else step / 2
+    above = step if value >= 0 else step / 2
+    slack = share * abs(value)
+    return Span(value - below - slack, value + above + slack)
 
 
 def is_scientific(table: PublishedTable) -> bool:
     """Say whether any cell of the table is printed with a power of ten."""
-    return any(_is_scientific(table[place]) for place in table.places())
+    return any(is_scientific_number(table[place]) for place in table.places())
 
 
-def _is_scientific(printed: Printed) -> bool:
+def is_scientific_number(printed: Printed) -> bool:
+    """Say whether a number is printed with a power of ten."""
     return any(mark in printed.text for mark in "×xeE")
 
 

@@ -28,14 +28,33 @@ def test_no_point_of_the_box_lies_above_the_ceiling(name: str, seed: int, edges:
     assert FUNCTIONS[name](point) <= most(name) * (1 + 1e-12)
 
 
-@pytest.mark.parametrize("name", ["sphere", "schwefel_2_22", "schwefel_1_2", "schwefel_2_21"])
+REACHED = ("sphere", "schwefel_2_22", "schwefel_1_2", "schwefel_2_21", "step", "step_floor")
+
+
+@pytest.mark.parametrize("name", REACHED)
 def test_a_corner_of_the_box_reaches_the_ceiling(name: str) -> None:
     corner = FUNCTIONS[name].problem(30).bounds[:, 1]
     assert FUNCTIONS[name](corner) == pytest.approx(most(name), rel=1e-12)
 
 
-def test_every_function_has_a_ceiling() -> None:
-    assert CEILINGS.keys() == FUNCTIONS.keys()
+def test_every_function_but_one_with_poles_has_a_ceiling() -> None:
+    pole = np.array([1.0, 0.0, 0.0, -(2.0**-8)])  # b² - 2^-8 is 0 for the b of 1 / 16
+
+    assert FUNCTIONS["kowalik"](pole) == math.inf
+    assert CEILINGS.keys() == FUNCTIONS.keys() - {"kowalik"}
+
+
+def test_ceiling_of_the_camel_is_reached_in_two_corners() -> None:
+    assert CEILINGS["six_hump_camel"](2) == Fraction(38525, 6)
+    for side in (5.0, -5.0):
+        value = FUNCTIONS["six_hump_camel"](np.full(2, side))
+        assert value == pytest.approx(38525 / 6, rel=1e-15)
+
+
+def test_ceiling_of_the_quartic_leaves_room_for_its_noise() -> None:
+    corner = FUNCTIONS["quartic_noise"](np.full(30, 1.28))
+
+    assert most("quartic_noise") - corner == pytest.approx(FUNCTIONS["quartic_noise"].noise)
 
 
 @pytest.mark.parametrize(("name", "within"), [("penalized_1", 1e-4), ("penalized_2", 1e-4)])

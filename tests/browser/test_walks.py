@@ -32,13 +32,14 @@ def test_why_this_cell_is_called_impossible(visit: Open) -> None:
     page = visit("doe2021.html").page
     cell = page.locator(f"#{IMPOSSIBLE}")
 
-    cell.get_by_role("link", name="⚑ impossible").click()
+    cell.get_by_role("link", name="audit: impossible").click()
 
     row = page.locator("tr:target")
     assert row.locator("td").first.inner_text() == "impossible"
     arithmetic = row.locator("td").last.inner_text()
     assert "printed is 2.1 s" in arithmetic
     assert "the least time under the printed limits is 2.3562" in arithmetic
+    assert "Holds if every joint is at rest at each printed position" in arithmetic
     page.go_back()
     cell.locator("summary").hover()
     cell.locator(".panel").wait_for(state="visible")

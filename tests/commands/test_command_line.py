@@ -16,7 +16,7 @@ from tests.small_papers import PAPER, Failing, Guessing, searching
 
 KEYS = tuple(all_papers())
 
-AUDIT = {"paper", "table", "row", "column", "cells", "check", "grade", "explanation"}
+AUDIT = {"paper", "table", "row", "column", "cells", "check", "grade", "explanation", "condition"}
 CERTIFICATE = {
     *("paper", "problem", "minimum", "lower_bound", "attained", "method", "at", "binding"),
     *("printed", "explanation"),
@@ -119,7 +119,7 @@ def test_reproduce_runs_what_is_missing_and_writes_pages(run: Run) -> None:
     assert first[1] == again[1]
     pages, headings, verdicts, compared = more[1].splitlines()
     assert pages == "pages: reports/index.html"
-    assert headings.split()[:3] == ["paper", "reproduced", "contradicted"]
+    assert headings.split()[:3] == ["paper", "reproduced", "consistent"]
     assert verdicts.split()[0] == "small2020"
     assert verdicts.split()[-1] == "2"
     assert compared == "small2020 has no list of expected verdicts"
@@ -229,6 +229,16 @@ def test_text_has_a_line_for_every_row_of_the_json(run: Run, command: str) -> No
     assert code == 0
     assert len(out.splitlines()) == len(rows)
     assert all(KEYS[0] in line for line in out.splitlines())
+
+
+def test_text_of_the_audit_says_under_which_condition_a_row_holds(run: Run) -> None:
+    rows = json.loads(run("audit", "syji", "--json")[1])
+    lines = run("audit", "syji")[1].splitlines()
+
+    assert {bool(row["condition"]) for row in rows} == {True, False}
+    for row, line in zip(rows, lines, strict=True):
+        assert line.endswith(f"; holds if {row['condition']}") or not row["condition"]
+        assert ("holds if" in line) is bool(row["condition"])
 
 
 def test_grades_of_the_audit_are_the_contract(run: Run) -> None:

@@ -10,9 +10,11 @@ from repro.errors import InputError
 FINDING = {
     "table": "Table 1", "row": "F1 mean", "column": "WOA", "claim": None, "printed": "0.05",
     "verdict": "reproduced", "side": None, "value": 0.1 + 0.2, "repeats": 10,
+    "group": "Table 1, F1 mean, WOA",
 }  # fmt: skip
 SENTENCE = FINDING | {
     "table": None, "row": None, "column": None, "claim": "it is so", "repeats": 0,
+    "group": "it is so",
 }  # fmt: skip
 
 
@@ -86,6 +88,20 @@ def test_table_counts_verdicts_and_repeats_by_paper() -> None:
     shown = dict(zip(headings.replace("not re", "re").split(), row.split(), strict=False))
     assert shown["paper"] == "doe2021"
     assert (shown["reproduced"], shown["contradicted"]) == ("2", "0")
+
+
+def test_what_is_impossible_under_a_condition_only_is_not_counted() -> None:
+    found = results(FINDING)
+    found["papers"][0]["audit"] = [
+        {"grade": "impossible", "condition": None},
+        {"grade": "impossible", "condition": "it rains"},
+        {"grade": "noted", "condition": None},
+        {"grade": "impossible"},  # of an older file, which knew no conditions
+    ]
+    headings, row, *_ = summary(found, ["doe2021"]).splitlines()
+
+    assert headings.split()[-2:] == ["impossible", "repeats"]
+    assert row.split()[-2:] == ["2", "10"]
 
 
 def test_file_that_is_no_list_is_refused(tmp_path: Path) -> None:

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from repro.determinism.compiled import COST, ready
 from repro.errors import InputError
-from repro.functions import FUNCTIONS, Function
+from repro.functions import FUNCTIONS, Function, classical
 from tests.twins.functions import FORMULAS
 
 # What float64 leaves at a minimiser; the others are exact there.
@@ -20,6 +20,12 @@ FLOORS = {
     "branin": 1.8e-15,  # one unit in the last place of 10, a term of it
     "hartmann_3": 9e-16,  # two units in the last place
     "shekel_5": 3.6e-15,  # two units in the last place
+    "shekel_7": 3.6e-15,
+    "shekel_10": 3.6e-15,
+    "hartmann_6": 1.8e-15,  # four units
+    "schwefel_2_26": 6e-12,  # three units of 12569
+    "kowalik": 2e-18,  # thirty units: differences of numbers to 0.2, squared and summed
+    "six_hump_camel": 5e-16,  # one unit in the last place of 2, a term of it
 }
 # How far below the minimum rounding may take a value; those that end in 0 stay above it.
 ROUNDING = {
@@ -28,6 +34,12 @@ ROUNDING = {
     "goldstein_price": 1e-12,  # 30 - 27, from a factor 9 on a sum of numbers near 50
     "hartmann_3": 4e-15,
     "shekel_5": 2e-14,
+    "shekel_7": 2e-14,
+    "shekel_10": 2e-14,
+    "hartmann_6": 4e-15,
+    "schwefel_2_26": 1e-11,
+    "kowalik": 1e-17,
+    "six_hump_camel": 2e-15,
 }
 SQUARES = {
     **dict.fromkeys(("sphere", "schwefel_1_2", "schwefel_2_21"), 100.0),
@@ -38,6 +50,11 @@ SQUARES = {
     "ackley": 32.0,
     "foxholes": 65.536,
     "goldstein_price": 2.0,
+    **dict.fromkeys(("step", "step_floor"), 100.0),
+    "quartic_noise": 1.28,
+    "schwefel_2_26": 500.0,
+    "griewank": 600.0,
+    **dict.fromkeys(("kowalik", "six_hump_camel"), 5.0),
 }
 UNIT = st.floats(min_value=0.0, max_value=1.0)
 FREE = [f for f in FUNCTIONS.values() if f.fixed_dimension is None]
@@ -50,17 +67,27 @@ def dimension_of(function: Function) -> int:
     return function.fixed_dimension or 30
 
 
-def test_there_are_fifteen_functions() -> None:
-    assert len(FUNCTIONS) == 15
+def test_there_are_the_classical_functions_alpine_and_the_rounded_step() -> None:
+    assert len(FUNCTIONS) == 23 + 2
     assert set(FUNCTIONS) == set(FORMULAS)
     assert all(name == function.name for name, function in FUNCTIONS.items())
 
 
+def test_classical_functions_are_numbered_as_their_source_numbers_them() -> None:
+    numbered = classical(7)
+
+    assert list(numbered) == [f"F{k}" for k in range(1, 24)]
+    assert {7} == {p.dimension for p in numbered.values() if not p.function.fixed_dimension}
+    for name, problem in numbered.items():
+        assert name.lower() in problem.function.source.split(", ")
+
+
 @each_function
 def test_value_at_the_minimiser_is_the_minimum(function: Function) -> None:
-    value = function(function.minimiser(dimension_of(function)))
+    problem = function.problem(dimension_of(function))
+    value = function(function.minimiser(problem.dimension))
 
-    assert abs(value - function.minimum) <= FLOORS.get(function.name, 0.0)
+    assert abs(value - problem.minimum) <= FLOORS.get(function.name, 0.0)
 
 
 @each_function
@@ -90,6 +117,13 @@ def test_value_elsewhere_is_that_of_the_printed_formula(function: Function, plac
         ("ackley", 32.0, 20.0 + math.e - 20.0 * math.exp(-6.4) - math.e),
         ("schwefel_1_2", 1.0, 30 * 31 * 61 / 6),  # the sum of squares up to 30
         ("schwefel_2_22", 2.0, 60.0 + 2.0**30),
+        ("step", 0.0, 7.5),
+        ("step_floor", 0.49, 0.0),
+        ("step_floor", -1.5, 30.0),
+        ("quartic_noise", 1.0, 465.0),  # the sum up to 30
+        ("schwefel_2_26", (math.pi / 2) ** 2, -30 * (math.pi / 2) ** 2),
+        ("griewank", 0.0, 0.0),
+        ("six_hump_camel", 1.0, 4.0 - 2.1 + 1.0 / 3.0 + 1.0),
     ],
 )
 def test_value_on_the_diagonal_is_known(name: str, at: float, value: float) -> None:
@@ -107,6 +141,39 @@ def test_branin_attains_its_minimum_at_three_points(x: tuple[float, float]) -> N
     assert branin(np.array(x)) == pytest.approx(branin.minimum, abs=1e-14)  # 10 - 9.6 rounds
 
 
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_camel_attains_its_minimum_at_two_points(side: float) -> None:
+    camel = FUNCTIONS["six_hump_camel"]
+
+    assert camel(side * camel.minimiser()) == pytest.approx(camel.minimum, abs=5e-16)
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [
+        ("schwefel_2_26", -12569.486618173012),
+        ("kowalik", 0.0003074859878056),
+        ("six_hump_camel", -1.0316284534898774),
+        ("hartmann_6", -3.3219951715842421),
+        ("shekel_7", -10.402940566818661),
+        ("shekel_10", -10.536409816692044),
+    ],
+)
+def test_minimum_is_that_of_an_independent_search_in_many_digits(name: str, value: float) -> None:
+    assert FUNCTIONS[name].problem(dimension_of(FUNCTIONS[name])).minimum == pytest.approx(
+        value, rel=1e-14
+    )
+
+
+def test_a_sum_over_coordinates_has_a_minimum_for_every_dimension() -> None:
+    schwefel = FUNCTIONS["schwefel_2_26"]
+
+    for n in (1, 2, 30):
+        minimum = schwefel.problem(n).minimum
+        assert minimum == pytest.approx(-418.9828872724337 * n, rel=1e-15)
+        assert schwefel(schwefel.minimiser(n)) == pytest.approx(minimum, rel=1e-15)
+
+
 @pytest.mark.parametrize("sine_zero", [-9.3246105396078, -3.0414252324282, 6.1830178860180])
 def test_alpine_has_minima_where_the_sine_is_minus_a_tenth(sine_zero: float) -> None:
     value = FUNCTIONS["alpine_1"](np.full(30, sine_zero))
@@ -119,10 +186,10 @@ def test_alpine_has_minima_where_the_sine_is_minus_a_tenth(sine_zero: float) -> 
 def test_nothing_in_the_box_is_below_the_minimum(function: Function, data: st.DataObject) -> None:
     n = function.fixed_dimension or data.draw(st.integers(1, 6))
     share = np.array(data.draw(st.lists(UNIT, min_size=n, max_size=n)))
-    bounds = function.problem(n).bounds
-    x = bounds[:, 0] + share * (bounds[:, 1] - bounds[:, 0])
+    problem = function.problem(n)
+    x = problem.bounds[:, 0] + share * (problem.bounds[:, 1] - problem.bounds[:, 0])
 
-    assert function(x) >= function.minimum - ROUNDING.get(function.name, 0.0)
+    assert function(x) >= problem.minimum - ROUNDING.get(function.name, 0.0)
 
 
 @each_function
@@ -135,7 +202,7 @@ def test_nothing_near_the_minimiser_is_below_the_minimum(
     reach = 10.0 ** -data.draw(st.integers(0, 12))
     x = function.minimiser(n) + reach * direction
 
-    assert function(x) >= function.minimum - ROUNDING.get(function.name, 0.0)
+    assert function(x) >= function.problem(n).minimum - ROUNDING.get(function.name, 0.0)
 
 
 @pytest.mark.parametrize(("name", "reach"), SQUARES.items())
@@ -146,7 +213,9 @@ def test_box_around_the_origin_reaches_as_far_as_is_printed(name: str, reach: fl
 def test_boxes_elsewhere_are_the_printed_ones() -> None:
     assert FUNCTIONS["branin"].box == ((-5.0, 10.0), (0.0, 15.0))
     assert FUNCTIONS["hartmann_3"].box == ((0.0, 1.0),) * 3
-    assert FUNCTIONS["shekel_5"].box == ((0.0, 10.0),) * 4
+    assert FUNCTIONS["hartmann_6"].box == ((0.0, 1.0),) * 6
+    for name in ("shekel_5", "shekel_7", "shekel_10"):
+        assert FUNCTIONS[name].box == ((0.0, 10.0),) * 4
 
 
 @pytest.mark.parametrize("function", FREE, ids=lambda f: f.name)
@@ -156,7 +225,9 @@ def test_problem_repeats_the_box_in_every_dimension(function: Function) -> None:
     assert problem.bounds.tolist() == [list(function.box[0])] * 7
 
 
-@pytest.mark.parametrize("name", ["rastrigin", "ackley", "penalized_1", "penalized_2"])
+@pytest.mark.parametrize(
+    "name", ["rastrigin", "ackley", "penalized_1", "penalized_2", "schwefel_2_26", "griewank"]
+)
 def test_value_does_not_depend_on_what_the_room_holds(name: str) -> None:
     problem = FUNCTIONS[name].problem(7)
     x, room = np.random.default_rng(1).uniform(-5.0, 5.0, 7), problem.data

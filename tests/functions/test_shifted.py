@@ -34,7 +34,7 @@ def test_value_at_the_shifted_minimiser_is_the_minimum(function: Function, share
     problem = moved(function, share, dimension=30)
 
     assert problem(problem.minimiser) == pytest.approx(
-        function.minimum, rel=1e-14, abs=ROUNDING.get(function.name, 1e-15)
+        problem.problem.minimum, rel=1e-14, abs=ROUNDING.get(function.name, 1e-15)
     )
 
 

@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import pytest
 
 from repro.judge.turning import ReadingOutcome, Weighed, seeming, turned
@@ -96,6 +98,17 @@ def test_two_settings_are_two_ranges() -> None:
     assert turned(own, [lower, higher]) == ()
     contradicted = outcome(NOT, p=0.0, side="lower")
     assert turned(contradicted, [lower, higher]) == ("box",)
+
+
+def test_on_what_the_text_rules_out_no_verdict_turns() -> None:
+    note = replace(setting(2.0).alternatives[0], ruled_out=True)
+    reading = replace(setting(2.0), alternatives=(note,))
+    held, against = (outcome(v, "note", p=0.0, reading=reading) for v in (HELD, NOT))
+
+    assert turned(outcome(NOT, p=0.0), [held]) == ()
+    assert turned(outcome(HELD), [against]) == ()
+    assert seeming(outcome(NOT), [held]) == ()
+    assert seeming(outcome(HELD), [against]) == ()
 
 
 def test_what_would_turn_a_verdict_seems_to_before_it_is_sure() -> None:

@@ -52,6 +52,7 @@ SWITCHED: tuple[AnyOptimiser, ...] = (
     HybridWOA(differential=0.4, genetic=0.3, evolves="any"),
     HybridWOA(differential=1.0, evolves="any", bounds="reflect"),
     replace(TOGETHER, shared_draw=True, bounds="re-initialise"),
+    replace(TOGETHER, perturbs="in proportion", chain="going on"),
     *SLIME,
     WOA(b=0.5),
     PSO(clip="every particle"),
@@ -77,10 +78,10 @@ def assert_same(
     population: int,
     box: Box = OFF_CENTRE,
     gap: float = 0.0,
+    iterations: int = 12,
     **twin_fields: object,
 ) -> None:
     """Run the optimiser and its twin from one seed; every point that they try must be the same."""
-    iterations = 12
     ours, theirs = (small(name, box=box, gap=gap, room=3000) for _ in range(2))
     result = optimiser.minimise(
         ours, population=population, iterations=iterations, rng=np.random.default_rng(7)
@@ -112,6 +113,12 @@ def test_compiled_search_is_its_twin_with_the_default_parameters(
 @pytest.mark.parametrize("optimiser", SWITCHED, ids=repr)
 def test_compiled_search_is_its_twin_with_every_switch(optimiser: AnyOptimiser, name: str) -> None:
     assert_same(optimiser, name, population=23, **asdict(optimiser))
+
+
+def test_an_orbit_that_goes_on_starts_anew_where_doubles_end_it() -> None:
+    # every double in [0, 1] reaches 0 within 54 steps of slope 2
+    optimiser = HybridWOA(disturbance=0.2, chain="going on")
+    assert_same(optimiser, population=4, iterations=120, **asdict(optimiser))
 
 
 @pytest.mark.parametrize("population", [20, 45, 62, 63, 100])

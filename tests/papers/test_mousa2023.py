@@ -29,6 +29,7 @@ from papers.mousa2023 import (
     search_claims,
     sensitive,
 )
+from repro.determinism.compiled import COST, ready
 from repro.judge.findings import findings_of
 from repro.judge.verdict import Verdict
 from repro.model import Alternative, Assumption, Between, Claim, Sentence
@@ -255,6 +256,15 @@ def test_no_claim_names_a_reading_and_each_is_made_once() -> None:
     assert len(set(texts)) == len(texts)
     assert not [t for t in texts if any(w in t for w in ("as told", "by generations", "mean "))]
     assert set(FIT.algorithms) == {"WOA", "GA"}
+
+
+def test_fitness_is_convex_so_that_no_optimum_is_local_alone() -> None:
+    fit = FIT.problems["joint 1"]
+    cost, rng = ready(fit.kernel, COST), np.random.default_rng(1)
+    for _ in range(100):
+        first, second = (rng.uniform(fit.bounds[:, 0], fit.bounds[:, 1]) for _ in range(2))
+        between = cost((first + second) / 2, fit.data)
+        assert between <= (cost(first, fit.data) + cost(second, fit.data)) / 2
 
 
 def test_lineage_by_generations_takes_the_place_of_ga_in_every_experiment() -> None:

@@ -293,6 +293,18 @@ def test_one_sentence_one_result_and_one_slip_count_once() -> None:
     assert sum(not claim.counts for claim in PAPER.claims) == 3
 
 
+def test_every_reading_that_runs_anything_runs_as_often_as_the_protocol() -> None:
+    depths = {
+        each.name: each.full_depth
+        for own in PAPER.assumptions
+        for each in own.alternatives
+        if each.problems or each.algorithms or each.protocol
+    }
+
+    assert len(depths) == 13
+    assert all(depths.values())
+
+
 def test_a_reading_brings_its_claims_into_the_same_groups() -> None:
     own = {identity(claim): claim.group for claim in PAPER.claims}
     for assumption in PAPER.assumptions:

@@ -21,7 +21,7 @@ FINDING = {
     *("accepted", "verdict", "side", "note", "readings", "turns_on", "unseen", "group"),
 }
 READING = {"reading", "verdict", "side", "measured", "repeats"}
-AUDIT = {"paper", "table", "row", "column", "check", "grade", "explanation"}
+AUDIT = {"paper", "table", "row", "column", "check", "grade", "explanation", "condition"}
 CERTIFICATE = {
     *("paper", "problem", "minimum", "lower_bound", "attained", "method", "at", "binding"),
     "printed",
@@ -146,6 +146,26 @@ def test_without_a_calibration_pages_say_so(
 
     for name in ("doe2021.html", "doe2021.md", "how-verdicts-are-made.html"):
         assert "not calibrated yet" in pages[name]
+
+
+def test_flag_marks_what_no_runs_whatever_give_and_nothing_else(pages: dict[str, str]) -> None:
+    audit = json.loads(pages["results.json"])["papers"][0]["audit"]
+    assert [(row["grade"], bool(row["condition"])) for row in audit] == [
+        ("impossible", False),
+        ("impossible", True),
+    ]
+    cells = re.findall(r'<a class="mark[^>]*>(.*?)</a>', pages["doe2021.html"])
+    assert [re.sub("<.*?>", "", cell) for cell in cells] == ["⚑ impossible", "audit: impossible"]
+    assert pages["doe2021.html"].count(" data-marked") == 1
+    assert "<dt>audit: impossible</dt>" in pages["doe2021.html"]
+    assert re.findall(r"<td>(impossible.*?)</td>", pages["doe2021.html"]) == [
+        *("impossible ⚑", "impossible")
+    ]
+    for name in ("index.html", "verdicts.md"):
+        assert re.search(r"(<td>|\| )1(</td><td>| \| )2(</td>| \|)", pages[name]), name
+    for page in pages.values():
+        assert "arithmetic alone forbids" not in page
+        assert "holds without any run" not in page
 
 
 def test_a_page_loads_nothing_and_every_link_leads_somewhere(pages: dict[str, str]) -> None:

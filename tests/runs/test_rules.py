@@ -218,7 +218,7 @@ def test_agents_without_a_finite_cost_have_no_mass(costs: list[float], masses: l
 
 def test_bounds_and_data_of_one_run_are_its_own() -> None:
     problem = small("rosenbrock")
-    given = Given.of(problem)
+    given = Given.of(problem, "a run")
     given.data[0] = 5.0
 
     assert problem.data[0] == 0.0
@@ -232,7 +232,7 @@ def test_cost_may_write_where_its_problem_says_so(name: str) -> None:
     task = replace(plan([PAPER], 1)[0], optimiser=WOA(), subject=shifted)
 
     assert execute(task).reason is None
-    given = Given.of(shifted)
+    given = Given.of(shifted, "a run")
     given.data[: shifted.scratch] += 1.0
     assert given.is_as_it_was
     given.data[shifted.scratch] += 1.0

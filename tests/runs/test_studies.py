@@ -46,6 +46,12 @@ def test_studies_are_repeated_once_for_ten_repeats_of_the_protocol() -> None:
     assert repeats == {2: {1}, 10: {1}, 19: {1}, 20: {2}}
 
 
+def test_control_has_no_studies_but_its_readings() -> None:
+    control = replace(LIANG, control=True)
+
+    assert {study.kind for study in studies(control, 10)} == {"reading"}
+
+
 def test_reading_at_full_depth_is_repeated_as_the_protocol_is() -> None:
     (alternative,) = OPEN.alternatives
     beside = replace(OPEN, alternatives=(replace(alternative, full_depth=True),))

@@ -77,9 +77,51 @@ def _hartmann_3(x: Point) -> float:
     )
 
 
-def _shekel_5(x: Point) -> float:
-    rows = ((0.1, "4444"), (0.2, "1111"), (0.2, "8888"), (0.4, "6666"), (0.4, "3737"))
-    return -fsum(1 / (math.dist(x, [float(digit) for digit in a]) ** 2 + c) for c, a in rows)
+def _hartmann_6(x: Point) -> float:
+    # rows of a and p as fractions: tenths, hundredths and ten-thousandths
+    a = (
+        "100 30 170 35 17 80",
+        "0.5 100 170 1 80 140",
+        "30 35 17 100 170 80",
+        "170 80 0.5 100 1 140",
+    )
+    p = ("1312 1696 5569 124 8283 5886", "2329 4135 8307 3736 1004 9991",
+         "2348 1415 3522 2883 3047 6650", "4047 8828 8732 5743 1091 381")  # fmt: skip
+    return -fsum(
+        c * exp(-fsum(
+            float(tenths) / 10 * (v - float(place) / 1e4) ** 2
+            for v, tenths, place in zip(x, row.split(), places.split(), strict=True)
+        ))
+        for c, row, places in zip((1.0, 1.2, 3.0, 3.2), a, p, strict=True)
+    )  # fmt: skip
+
+
+SHEKEL = (
+    (0.1, "4444"), (0.2, "1111"), (0.2, "8888"), (0.4, "6666"), (0.4, "3737"),
+    (0.6, "2929"), (0.3, "5533"), (0.7, "8181"), (0.5, "6262"), (0.5, (7, 3.6, 7, 3.6)),
+)  # fmt: skip
+
+
+def _shekel(x: Point, wells: int) -> float:
+    return -fsum(1 / (math.dist(x, list(map(float, a))) ** 2 + c) for c, a in SHEKEL[:wells])
+
+
+def _griewank(x: Point) -> float:
+    waves = prod(cos(v / sqrt(i)) for i, v in enumerate(x, start=1))
+    return fsum(v**2 / 4000 for v in x) + (1 - waves)
+
+
+def _kowalik(x: Point) -> float:
+    measured = (1957, 1947, 1735, 1600, 844, 627, 456, 342, 323, 235, 246)
+    inverses = (0.25, 0.5, 1, 2, 4, 6, 8, 10, 12, 14, 16)
+    # the fraction of Kowalik and Osborne, both halves multiplied by the square of 1 / b
+    rates = (x[0] * (1 + q * x[1]) / (1 + q * x[2] + q * q * x[3]) for q in inverses)
+    return fsum((k / 1e4 - rate) ** 2 for k, rate in zip(measured, rates, strict=True))
+
+
+def _six_hump_camel(x: Point) -> float:
+    a, b = x
+    return fsum((4 * a**2, -2.1 * a**4, a**6 / 3, a * b, -4 * b**2, 4 * b**4))
 
 
 FORMULAS: dict[str, Callable[[Point], float]] = {
@@ -97,5 +139,15 @@ FORMULAS: dict[str, Callable[[Point], float]] = {
     "branin": _branin,
     "goldstein_price": _goldstein_price,
     "hartmann_3": _hartmann_3,
-    "shekel_5": _shekel_5,
+    "shekel_5": lambda x: _shekel(x, 5),
+    "step": lambda x: fsum((v + 0.5) ** 2 for v in x),
+    "step_floor": lambda x: fsum(math.floor(v + 0.5) ** 2 for v in x),
+    "quartic_noise": lambda x: fsum(i * v**4 for i, v in enumerate(x, start=1)),  # without noise
+    "schwefel_2_26": lambda x: -fsum(v * sin(sqrt(abs(v))) for v in x),
+    "griewank": _griewank,
+    "kowalik": _kowalik,
+    "six_hump_camel": _six_hump_camel,
+    "hartmann_6": _hartmann_6,
+    "shekel_7": lambda x: _shekel(x, 7),
+    "shekel_10": lambda x: _shekel(x, 10),
 }

@@ -34,6 +34,8 @@ class _Additions:
     shared_draw: bool = False
     evolves: Literal["the worst", "any"] = "the worst"
     bounds: Rule = "clip"
+    perturbs: Literal["by the box", "in proportion"] = "by the box"
+    chain: Literal["one step", "going on"] = "one step"
 
 
 def hybrid_whale(
@@ -67,7 +69,7 @@ def hybrid_whale(
         for i in order[: int(additions.genetic * population + 0.5)]:
             herd.offer(i, _blended(herd, i, additions), greedy=additions.greedy)
         if additions.disturbance > 0.0:
-            herd.assess(_disturbed(herd, additions.disturbance * (1.0 - t / iterations)))
+            herd.assess(_disturbed(herd, additions, 1.0 - t / iterations))
         history.append(herd.best_cost)
         schedule = _scheduled(additions, t, iterations)
         for i in range(population):
@@ -91,6 +93,7 @@ class _Herd:
         self.uniform, self.normal = uniform, normal
         self.x, self.costs = x, [math.inf] * len(x)
         self.best_x, self.best_cost = [0.0] * len(bounds), math.inf
+        self.orbits = [0.0] * len(bounds)
         self.evaluations = 0
 
     def held(self, x: list[float]) -> list[float]:
@@ -152,17 +155,22 @@ def _blended(herd: _Herd, i: int, additions: _Additions) -> list[float]:
     alpha = herd.uniform()
     child = []
     for own, other, (lower, upper) in zip(herd.x[i], partner, herd.bounds, strict=True):
-        mutation = additions.mutation * (upper - lower) * herd.normal()
-        child.append(alpha * own + (1.0 - alpha) * other + mutation)
+        middle = alpha * own + (1.0 - alpha) * other
+        unit = {"by the box": upper - lower, "in proportion": middle}[additions.perturbs]
+        child.append(middle + additions.mutation * unit * herd.normal())
     return herd.held(child)
 
 
-def _disturbed(herd: _Herd, reach: float) -> list[float]:
-    """Return a position around the best, as far as the reach as a share of the box width."""
+def _disturbed(herd: _Herd, additions: _Additions, left: float) -> list[float]:
+    """Return a position around the best, as far as what is left of the disturbance."""
+    reach = additions.disturbance * left
     x = []
-    for best, (lower, upper) in zip(herd.best_x, herd.bounds, strict=True):
-        z = _tent(herd.uniform())
-        x.append(best + reach * (upper - lower) * (2.0 * z - 1.0))
+    for j, (best, (lower, upper)) in enumerate(zip(herd.best_x, herd.bounds, strict=True)):
+        z = _tent(herd.orbits[j] or herd.uniform())
+        if additions.chain == "going on":
+            herd.orbits[j] = z
+        unit = {"by the box": upper - lower, "in proportion": best}[additions.perturbs]
+        x.append(best + reach * unit * (2.0 * z - 1.0))
     return herd.held(x)
 
 

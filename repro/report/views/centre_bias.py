@@ -9,7 +9,7 @@ from repro.report.drawings.draw import Drawing, drawing
 from repro.report.words import number
 from repro.runs.moved_optima import shift_name
 
-FLAGGED = "⚑ biased"
+FLAGGED = "biased"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -54,7 +54,7 @@ def centre_bias_view(paper: str, found: CentreBias) -> CentreBiasView:
 
 def _words(bias: Bias) -> str:
     low, high = (number(end, 3) for end in bias.interval)
-    flag = f" {FLAGGED}" if bias.flagged else ""
+    flag = f", {FLAGGED}" if bias.flagged else ""
     return f"{number(bias.ratio, 3)} [{low}, {high}], p = {number(bias.p, 2)}{flag}"
 
 

@@ -59,6 +59,11 @@ class Shown:
     marks: tuple[AuditRow, ...] = ()
 
     @property
+    def impossible(self) -> bool:
+        """Whether no runs whatever give the printed number."""
+        return any(row.is_proof for row in self.marks)
+
+    @property
     def brief(self) -> str:
         """What a verdict is worth, in the few words for which a table has room."""
         if self.finding.unseen is not None and self.finding.printed == IN_WORDS:

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator
 
 from repro.model.identifiers import anchor, identifiers
-from repro.report.results import Json
+from repro.report.results import Json, impossible_rows
 from repro.report.words import verdict_words
 
 Row = tuple[str, str, str, str]
@@ -27,7 +27,9 @@ def _rows(paper: Json) -> Iterator[Row]:
         place = one["claim"] or f"{one['table']}, {one['row']}, {one['column']}"
         text = f"{place}: {one['printed']} {one['unit']}".strip()
         yield key, f"{key}.html#{name}", text, verdict_words(one["verdict"], one["side"])
+    impossible = impossible_rows(paper)
     for number, row in enumerate(paper["audit"], start=1):
         cell = f", {row['row']}, {row['column']}" if row["row"] else ""
         text = f"{row['table']}{cell}: {row['check']}"
-        yield key, f"{key}.html#audit-{number}", text, f"⚑ {row['grade']}"
+        mark = "⚑" if row in impossible else "audit:"
+        yield key, f"{key}.html#audit-{number}", text, f"{mark} {row['grade']}"

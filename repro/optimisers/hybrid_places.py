@@ -1,0 +1,26 @@
+"""Where the parameters of the hybrid whale stand in the vector that its kernels are given."""
+
+(
+    START,
+    CONTROL,
+    SPIRAL_FIRST,
+    SPIRAL_LAST,
+    PROBABILITY,
+    SELECTS,
+    VECTOR,
+    LEADER,
+    SPIRAL_RANGE,
+    WORST,
+    SCALE,
+    CROSSOVER,
+    FITTEST,
+    MUTATION,
+    GREEDY,
+    DISTURBANCE,
+    PARTNER,
+    SHARED,
+    ANY,
+    BOUNDS,
+    PROPORTION,
+    CHAIN,
+) = range(22)

@@ -1,0 +1,107 @@
+"""What can have made a printed statistic: its precision, its zeros, its rounding, its box.
+
+A check is tried with the least that can be taken for granted first. What more it needs is the
+condition of its row.
+"""
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from fractions import Fraction
+
+from repro.tables.published import Printed
+from repro.tables.true_numbers import TINY, TINY_STD, Span, is_scientific_number, span
+
+TINY_SINGLE = Fraction(1, 2**126)  # below it a float loses digits, or is flushed to 0
+TINY_SINGLE_STD = Fraction(1, 2**62)  # as TINY_STD: twice the root of that
+LEAST_SINGLE = Fraction(1, 2**149)  # the smallest float above 0
+LEAST_SINGLE_STD = Fraction(1, 2**76)  # below the root of that, and so below what it can give
+GREATEST_SINGLE = Fraction(2**128)
+DIGITS = 3  # digits of a whole number that nobody rounds away
+IN_DOUBLES = "runs and statistics are kept in double precision"
+CONDITIONS = {
+    "doubles": IN_DOUBLES,
+    "exact_zeros": "a bare 0 stands for what the arithmetic rounds to 0, not for a small number",
+    "whole": "no digit of a whole number is rounded away",
+    "in_box": "every run ends inside the box",
+}
+_WHOLE = re.compile(r"[-+]?0*(\d+)")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Arithmetic:
+    """What is taken for granted of how a table was made; by default nothing.
+
+    Without `doubles` runs and statistics may be in single precision. Without `exact_zeros` a bare
+    0 among powers of ten may stand for any number that rounds to it. Without `whole` the last
+    digits of a whole number may be rounded away. Without `in_box` runs may end outside the box.
+    """
+
+    doubles: bool = False
+    exact_zeros: bool = False
+    whole: bool = False
+    in_box: bool = False
+
+    def beyond(self, known: "Arithmetic") -> str | None:
+        """Return what is taken for granted and not known, as the end of "holds if …"."""
+        return joined(
+            words
+            for name, words in CONDITIONS.items()
+            if getattr(self, name) and not getattr(known, name)
+        )
+
+    @property
+    def roundoff(self) -> Fraction:
+        """The relative error of one rounding."""
+        return Fraction(1, 2**53 if self.doubles else 2**24)
+
+
+NARROWEST = Arithmetic(doubles=True, exact_zeros=True, whole=True, in_box=True)
+
+
+def joined(conditions: Iterable[str | None]) -> str | None:
+    """Return conditions that must all hold as one; None where there is none."""
+    return ", and ".join(filter(None, conditions)) or None
+
+
+def statistic_span(
+    printed: Printed, *, scientific: bool, spread: bool, given: Arithmetic, digits: int = DIGITS
+) -> Span:
+    """Return what can stand behind a printed statistic, but for the rounding of a mean.
+
+    Where a table prints powers of ten (`scientific`), a bare 0 has no last digit. `spread` says
+    that the statistic is a standard deviation, `digits` how many significant digits are sure to
+    be printed of a whole number.
+    """
+    if spread:
+        in_doubles = given.doubles or 0 < printed.value < LEAST_SINGLE_STD
+        tiny = TINY_STD if in_doubles else TINY_SINGLE_STD
+    else:
+        tiny = TINY if given.doubles else TINY_SINGLE
+    bare = given.exact_zeros and is_bare_zero(printed, scientific=scientific)
+    if printed.value == 0 and (bare or is_scientific_number(printed)):
+        return Span(-tiny, tiny)
+    last = None if given.whole else rounded_at(printed, digits)
+    around = span(printed, last=last)
+    return Span(around.low - tiny, around.high + tiny)
+
+
+def is_bare_zero(printed: Printed, *, scientific: bool) -> bool:
+    """Say whether a 0 has neither decimals nor a power of ten, in a table that has powers."""
+    marks = "." in printed.text or is_scientific_number(printed)
+    return scientific and printed.value == 0 and not marks
+
+
+def rounded_at(printed: Printed, digits: int) -> Fraction | None:
+    """Return the unit that a whole number may be rounded to; None where it ends in no 0 beyond."""
+    match = _WHOLE.fullmatch(printed.text.replace("−", "-").strip())
+    if match is None or len(match[1]) <= digits or match[1][digits:].strip("0"):
+        return None
+    return Fraction(10 ** (len(match[1]) - digits))
+
+
+def significant(printed: Printed) -> int:
+    """Return how many digits are sure to be printed: zeros at the end of a whole number are not."""
+    mantissa = re.split("[×xeE]", printed.text.replace("−", "-").strip())[0]
+    digits = mantissa.lstrip("+-").replace(".", "").lstrip("0")
+    return len(digits if "." in mantissa else digits.rstrip("0"))

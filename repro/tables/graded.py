@@ -1,0 +1,66 @@
+"""What a check finds impossible in a block, and the least that it must take for granted."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from itertools import product
+
+from repro.tables.arithmetic import (
+    GREATEST_SINGLE,
+    LEAST_SINGLE,
+    Arithmetic,
+    is_bare_zero,
+    joined,
+    rounded_at,
+)
+from repro.tables.blocks import Block
+from repro.tables.rows import AuditRow, Grade, audit_row
+from repro.tables.true_numbers import exact
+
+
+def graded(
+    paper: str,
+    block: Block,
+    statistics: tuple[str, ...],
+    *,
+    check: str,
+    finds: Callable[[Block], str],
+    condition: str | None = None,
+) -> Iterator[AuditRow]:
+    """Yield the row of what a check finds impossible, with the least that it needs as condition.
+
+    `finds` returns an explanation, or nothing where it finds nothing; the one shown takes all for
+    granted. `condition` is what the check needs however the table was made.
+    """
+    tried = ways(block)
+    found = [(given, finds(replace(block, given=given))) for given in tried]
+    found = [(given, explanation) for given, explanation in found if explanation]
+    if found:
+        yield audit_row(
+            paper,
+            tuple(block.cells[name] for name in statistics),
+            check=check,
+            grade=Grade.IMPOSSIBLE,
+            explanation=found[-1][1],
+            condition=joined((condition, found[0][0].beyond(tried[0]))),
+        )
+
+
+def ways(block: Block) -> list[Arithmetic]:
+    """Return how the block may have been made, from what takes least for granted to most."""
+    printed = [cell.printed for cell in block.cells.values()]
+    zeros = any(is_bare_zero(each, scientific=block.scientific) for each in printed)
+    whole = any(rounded_at(each, block.digits) for each in printed)
+    boxed = block.function is not None and block.function.only_in_box
+    choices = [(False, True) if is_open else (False,) for is_open in (zeros, whole, boxed)]
+    doubles = (True,) if _needs_doubles(block) else (False, True)
+    return [
+        Arithmetic(exact_zeros=z, whole=w, in_box=b, doubles=d)
+        for z, w, b, d in sorted(product(*choices, doubles), key=sum)
+    ]
+
+
+def _needs_doubles(block: Block) -> bool:
+    """Say whether a number is printed that single precision cannot hold, nor a mean of such."""
+    sizes = [abs(exact(cell.printed.value)) for cell in block.cells.values()]
+    least = LEAST_SINGLE / (2 * block.n)
+    return any(0 < size < least or size > 2 * GREATEST_SINGLE for size in sizes)
