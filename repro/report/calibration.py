@@ -6,12 +6,15 @@ from typing import Any
 
 
 def calibration() -> dict[str, Any]:
-    """Return `rows`, `coverage` and `by`, all empty where the verdicts are not calibrated yet.
+    """Return what the package ships of tables whose truth is known; all empty where there is none.
 
-    `rows` hold repeats, statistic, factor, verdict and share, the factor 1 being the truth;
-    `coverage` kind (of distribution), repeats, statistic, promised and reached; `by` what was run.
+    `rows`: the share of each verdict, by repeats, statistic and factor: a printed value that lies
+    so many times as far from the minimum as the true one; 1 is the truth, 0.01 a hundred times
+    nearer. `narrow`: the same of runs whose distances from the minimum span less than a decade.
+    `coverage`: how often an interval that promised so much held the true value, and how often plain
+    resampling would have, by kind of costs. `by`: what was run.
     """
-    found: dict[str, Any] = {"rows": [], "coverage": [], "by": {}}
+    found: dict[str, Any] = {"rows": [], "narrow": [], "coverage": [], "by": {}}
     data = files("repro.judge").joinpath("calibration.json")
     if data.is_file():
         found |= json.loads(data.read_text(encoding="utf-8"))
