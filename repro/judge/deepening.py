@@ -47,17 +47,22 @@ def _deeper(
     """Return how many repeats to make of which cells of readings: twice those that there are.
 
     They are the cells under a reading that seems to turn a verdict, down to the depth of the
-    paper's own. What costs more than is `left` of the budget is passed over, in the order of the
-    claims.
+    paper's own. The cheapest come first; what costs more than is `left` of the budget is passed
+    over.
     """
-    wanted: dict[Cell, int] = {}
-    for cell, depth in _wanted(claims, evidence, others):
-        runs = evidence.runs[cell]
-        more = (depth - len(runs.costs)) * runs.costs.shape[-1] * runs.evaluations
-        if cell not in wanted and more <= left:
-            wanted[cell] = depth
-            left -= more
-    return wanted
+    wanted = dict(_wanted(claims, evidence, others))
+    costs = {cell: _more(evidence.runs[cell], depth) for cell, depth in wanted.items()}
+    chosen: dict[Cell, int] = {}
+    for cell in sorted(wanted, key=lambda cell: (costs[cell], cell)):
+        if costs[cell] <= left:
+            chosen[cell] = wanted[cell]
+            left -= costs[cell]
+    return chosen
+
+
+def _more(runs: Runs, depth: int) -> int:
+    """Return the evaluations of the repeats that are missing to a depth."""
+    return (depth - len(runs.costs)) * runs.costs.shape[-1] * runs.evaluations
 
 
 def _wanted(

@@ -48,6 +48,11 @@ class Weighed:
         return self.shown.verdict is Verdict.CONTRADICTED
 
     @property
+    def bounded(self) -> bool:
+        """Whether its runs say how far others may lie, on either side."""
+        return bool(np.isfinite(self.shown.measured).all())
+
+    @property
     def allowed(self) -> bool:
         """Whether the text allows the reading."""
         return self.reading is None or not self.reading.ruled_out
@@ -57,13 +62,13 @@ def turned(own: Weighed, others: Sequence[Weighed]) -> tuple[str, ...]:
     """Return the names of the readings and settings on which a verdict turns.
 
     A number is contradicted where every reading contradicts it, so a reading that holds it counts
-    without more. Of many readings some contradict by chance, so one that contradicts what is held
-    counts only if it does at the 5 % level with Holm's correction for all that bear on the number.
-    A setting whose neighbouring values lead past the number on either side leads through it. On
-    what the text rules out nothing turns.
+    without more, unless its runs are too few to rule anything out. Of many readings some contradict
+    by chance, so one that contradicts what is held counts only if it does at the 5 % level with
+    Holm's correction for all that bear on the number. A setting whose neighbouring values lead past
+    the number on either side leads through it. On what the text rules out nothing turns.
     """
     others = [other for other in others if other.allowed]
-    holding = [other for other in others if other.held]
+    holding = [other for other in others if other.held and other.bounded]
     opposed = _surely_contradicting(others)
     if own.held:
         return _names(opposed)

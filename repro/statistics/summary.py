@@ -39,7 +39,7 @@ def standard_deviation(costs: Vector) -> Vector:
     if costs.shape[-1] < 2:
         message = "a standard deviation needs two runs or more"
         raise InputError(message)
-    endless = np.isinf(costs).any(axis=-1)
+    endless = np.asarray(np.isinf(costs).any(axis=-1))
     if endless.any():
         known = standard_deviation(np.where(endless[..., None], 0.0, costs))
         return np.where(endless, np.inf, known)

@@ -93,6 +93,19 @@ def test_what_cannot_be_had_ends_the_deepening() -> None:
     assert laboratory.wanted == [{RUN_AS: 2}, {RUN_AS: 4}]
 
 
+def test_cheapest_cells_are_deepened_first() -> None:
+    laboratory = Laboratory({2: HELD, 4: HELD, 8: HELD})
+    narrower = replace(WIDER, name="narrower", algorithms={("search", "guess"): {"width": 0.5}})
+    paper = replace(MEAN_ONLY, assumptions=(replace(ASSUMPTION, alternatives=(WIDER, narrower)),))
+    evidence = shallow(FAR, HELD, evaluations=200)
+    cheap = ("search [narrower]", "bowl", "guess")
+    both = evidence.deeper({cheap: runs(HELD, 1, 20)})
+
+    deepened(paper, both, laboratory)
+
+    assert list(laboratory.wanted[0]) == [cheap, RUN_AS]
+
+
 def test_deepening_costs_no_more_than_its_share_of_the_evaluations() -> None:
     laboratory = Laboratory({2: HELD})
     evidence = shallow(FAR, HELD)

@@ -1,3 +1,4 @@
+import math
 from dataclasses import replace
 
 import pytest
@@ -17,10 +18,9 @@ def outcome(
     p: float = 0.5,
     side: str | None = None,
     reading: Reading | None = None,
+    measured: tuple[float, float] = (0.0, 1.0),
 ) -> Weighed:
-    shown = ReadingOutcome(
-        reading=name, verdict=verdict, side=side, measured=(0.0, 1.0), repeats=10
-    )
+    shown = ReadingOutcome(reading=name, verdict=verdict, side=side, measured=measured, repeats=10)
     return Weighed(shown=shown, reading=reading, p=p)
 
 
@@ -34,6 +34,13 @@ def test_reading_that_surely_contradicts_a_held_number_turns_it() -> None:
     others = [outcome(HELD, "a"), outcome(NOT, "b", p=0.0), outcome(OPEN, "c")]
 
     assert turned(outcome(HELD), others) == ("b",)
+
+
+def test_runs_that_rule_nothing_out_turn_nothing() -> None:
+    unbounded = outcome(HELD, "few runs", measured=(0.0, math.inf))
+
+    assert turned(outcome(NOT, p=0.0), [unbounded]) == ()
+    assert seeming(outcome(NOT, p=0.0), [unbounded]) == (unbounded,)
 
 
 def test_thirty_chances_do_not_make_one() -> None:

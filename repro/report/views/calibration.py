@@ -106,7 +106,7 @@ def share_sheets(rows: Sequence[Row]) -> list[Sheet]:
     return [
         Sheet(
             name=f"{repeats} repeat{'s' if repeats != 1 else ''}",
-            headings=("statistic", "printed value", *(f"{SYMBOLS[v]} {v}" for v in SAID)),
+            headings=("statistic", "distance", *(f"{SYMBOLS[v]} {v}" for v in SAID)),
             rows=tuple(
                 (statistic, _value(factor), *(_percent(shares.get(v, 0.0)) for v in SAID))
                 for (statistic, factor), shares in places.items()
@@ -144,8 +144,7 @@ def coverage_sheet(rows: Sequence[Row]) -> Sheet:
 def _value(factor: float) -> str:
     if factor == TRUTH:
         return "true"
-    times = factor if factor > TRUTH else 1.0 / factor
-    return f"{times:g} times as {'far' if factor > TRUTH else 'near'}"
+    return f"×{factor:g}" if factor > TRUTH else f"÷{1.0 / factor:g}"
 
 
 def _percent(share: float) -> str:

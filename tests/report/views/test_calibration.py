@@ -66,13 +66,13 @@ def test_shares_stand_by_depth_statistic_and_factor() -> None:
 
     assert (once.name, ten.name) == ("1 repeat", "10 repeats")
     assert once.rows[0] == ("mean", "true", "10.0 %", "62.0 %", "13.0 %", "15.0 %")
-    assert [row[1] for row in once.rows] == ["true", "100 times as far"] * 2
+    assert [row[1] for row in once.rows] == ["true", "×100"] * 2
 
 
 def test_a_value_below_the_true_one_is_called_nearer() -> None:
     nearer = [{**row, "factor": 0.01} for row in rows(consistent=1.0)]
 
-    assert share_sheets(nearer)[0].rows[0][1] == "100 times as near"
+    assert share_sheets(nearer)[0].rows[0][1] == "÷100"
 
 
 @pytest.mark.parametrize(
