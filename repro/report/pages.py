@@ -37,7 +37,7 @@ from repro.report.verdict_pages import VERDICTS, verdict_context
 from repro.report.views.baselines import standings_view
 from repro.report.views.calibration import truthful
 from repro.report.views.findings import Shown, everything, table_view, tallies
-from repro.report.views.readings import readings_view, settings_of
+from repro.report.views.readings import readings_view, ruled_out_by, settings_of
 from repro.report.views.runs import runs_view
 from repro.report.views.search_box import search_rows
 from repro.report.views.times import time_cells
@@ -96,7 +96,7 @@ def _paper_files(judgement: Judgement, master_seed: str, files: Files) -> Json:
     entry = paper_result(judgement, master_seed)
     calibrated = calibration()["rows"]
     runs = runs_view(judgement)
-    found = everything(judgement.findings, judgement.audit, settings_of(paper))
+    found = everything(judgement.findings, judgement.audit, settings_of(paper), ruled_out_by(paper))
     cells = {(s.finding.table, s.finding.row, s.finding.column): s for s in found}
     times = zip(judgement.certificates, judgement.found_times, strict=True)
     context = {

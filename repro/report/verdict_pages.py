@@ -34,6 +34,13 @@ def verdict_context(found: Mapping[str, Any]) -> dict[str, object]:
         "reach": REACH,
         "decade": DECADE,
         "sheets": share_sheets(found["rows"]),
+        "narrow": share_sheets(found.get("narrow", [])),
         "coverage": coverage_sheet(found["coverage"]) if found["coverage"] else None,
-        "by": found["by"],
+        "by": {name: _in_words(value) for name, value in found["by"].items()},
     }
+
+
+def _in_words(value: object) -> str:
+    if isinstance(value, Mapping):
+        return ", ".join(f"{name} {each}" for name, each in value.items())
+    return ", ".join(map(str, value)) if isinstance(value, list) else str(value)

@@ -27,7 +27,7 @@ MEANINGS = {
     Verdict.DEPENDS: "a reading that the text allows, or a setting that it does not print, turns "
     "it between held (reproduced or consistent) and contradicted",
     Verdict.CONTRADICTED: "a table of such runs hardly comes within the tolerance, and no reading "
-    "or setting that was tried makes the number hold",
+    "that the text allows, nor any setting, of those that were tried makes the number hold",
     Verdict.NOT_REPRODUCIBLE: "the paper does not print what a re-run needs",
     Verdict.NOT_RUN: "the runs are not in the store",
 }

@@ -34,11 +34,15 @@ def mean(costs: Vector) -> Vector:
 def standard_deviation(costs: Vector) -> Vector:
     """Return the sample standard deviation (n-1); equal values give exactly 0.
 
-    Raises InputError for single values, which have none.
+    It is infinite where a value is. Raises InputError for single values, which have none.
     """
     if costs.shape[-1] < 2:
         message = "a standard deviation needs two runs or more"
         raise InputError(message)
+    endless = np.asarray(np.isinf(costs).any(axis=-1))
+    if endless.any():
+        known = standard_deviation(np.where(endless[..., None], 0.0, costs))
+        return np.where(endless, np.inf, known)
     scaled, exponent = _scaled(costs)
     return _where_equal(costs, np.zeros(costs.shape[:-1]), np.ldexp(_spread(scaled), exponent))
 
@@ -65,7 +69,7 @@ def _scaled(costs: Vector) -> tuple[Vector, NDArray[np.int32]]:
 
 def _where_equal(costs: Vector, then: Vector, otherwise: Vector) -> Vector:
     # 30 values of 1.1 have a rounded mean that is not 1.1 and a spread that is not 0
-    return np.where(np.ptp(costs, axis=-1) == 0.0, then, otherwise)
+    return np.where(costs.min(axis=-1) == costs.max(axis=-1), then, otherwise)
 
 
 STATISTICS: Mapping[str, Callable[[Vector], Vector]] = MappingProxyType(

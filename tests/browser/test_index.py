@@ -7,19 +7,37 @@ from tests.browser.conftest import Open
 
 
 def test_the_index_counts_every_paper_by_verdict(visit: Open) -> None:
-    table = visit("index.html").page.locator("table").first
+    page = visit("index.html").page
+    tables = page.locator("table.stacked")
 
     headings = [
-        re.sub(r"[^a-z ]", "", text).strip() for text in table.locator("thead th").all_inner_texts()
+        re.sub(r"[^a-z ]", "", text).strip()
+        for text in tables.first.locator("thead th").all_inner_texts()
     ]
     assert headings == [
-        "paper", "printed numbers and claims", "reproduced", "contradicted", "undecided",
+        "paper", "results", "reproduced", "consistent", "undecided", "depends", "contradicted",
         "not reproducible", "impossible", "repeats",
     ]  # fmt: skip
-    for row in table.locator("tbody tr").all():
+    for row in tables.locator("tbody tr").all():
         total, *parts = map(int, row.locator("td").all_inner_texts())
-        assert sum(parts[:4]) == total
-    assert table.locator("tbody tr").count() >= len(all_papers())
+        assert sum(parts[:6]) == total
+    assert tables.locator("tbody tr").count() >= len(all_papers())
+
+
+def test_on_a_phone_every_count_of_the_index_stands_beside_its_name(visit: Open) -> None:
+    page = visit("index.html", width=360).page
+    row = page.locator("table.stacked tbody tr").first
+
+    for cell in row.locator("td").all():
+        box = cell.bounding_box()
+        assert box is not None
+        assert box["x"] >= 0
+        assert box["x"] + box["width"] <= 360
+    name = "cell => getComputedStyle(cell, '::before').content"
+    assert [cell.evaluate(name) for cell in row.locator("td").all()][:2] == [
+        '"results"',
+        '"✔ reproduced"',
+    ]
 
 
 def test_searching_leads_to_the_cell(visit: Open) -> None:
@@ -66,9 +84,9 @@ def test_the_counts_of_a_paper_lead_to_its_numbers_of_that_verdict(visit: Open) 
     page = visit("index.html").page
 
     page.locator("#doe2021 ~ ul.counts").first.get_by_role(
-        "link", name=re.compile("undecided")
+        "link", name=re.compile("reproduced")
     ).click()
     page.wait_for_load_state()
 
     assert page.locator("[data-verdict] .verdict:visible").count() == 1
-    assert page.locator('[data-verdict="undecided"] .verdict').is_visible()
+    assert page.locator('[data-verdict="reproduced"] .verdict').is_visible()

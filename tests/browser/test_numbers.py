@@ -27,8 +27,8 @@ def test_the_pointer_opens_the_evidence_of_a_number_and_leaving_closes_it(visit:
         "✖ contradicted (higher)",
         "printed\n1.2×10",
         "accepted",
-        "central 95 % of 2000 tables from 2 repeats",
-        "of the 2000 re-run tables",
+        "95 % prediction interval by 2000 tables that may come next, from 2 repeats",
+        "of 2000 tables that may come next",
         "⚑ impossible",
         "no number of runs allows that",
         "doe2021-table-2.csv, line 5",
@@ -128,22 +128,22 @@ def test_the_filter_leaves_only_the_verdicts_that_are_ticked(visit: Open) -> Non
     page.get_by_label(re.compile(r"✖ contradicted \(\d+\)")).uncheck()
 
     left = page.locator("[data-verdict]:visible .printed:visible").count()
-    assert left == page.locator('td.cell:not([data-verdict="contradicted"])').count() == 1
+    assert left == page.locator('td.cell:not([data-verdict="contradicted"])').count() == 2
     assert page.locator('tr[data-verdict="contradicted"]:visible').count() == 0
-    assert "4 of 9" in page.locator("#shown-count").inner_text()
+    assert "5 of 9" in page.locator("#shown-count").inner_text()
 
 
 def test_the_filter_works_by_keyboard_and_show_all_takes_it_back(visit: Open) -> None:
     page = visit(PAGE).page
-    box = page.get_by_label(re.compile("✔ reproduced"))
+    box = page.get_by_label(re.compile("≈ consistent"))
     box.focus()
 
     page.keyboard.press("Space")
-    assert page.locator('[data-verdict="reproduced"] .verdict:visible').count() == 0
+    assert page.locator('[data-verdict="consistent"] .verdict:visible').count() == 0
 
     page.get_by_role("button", name="Show all").focus()
     page.keyboard.press("Enter")
-    assert page.locator('[data-verdict="reproduced"] .verdict:visible').count() == 2
+    assert page.locator('[data-verdict="consistent"] .verdict:visible').count() == 3
     assert box.is_checked()
 
 
@@ -159,9 +159,9 @@ def test_only_what_no_runs_whatever_give_can_be_shown(visit: Open) -> None:
 def test_a_row_whose_every_number_is_filtered_away_goes_too(visit: Open) -> None:
     page = visit(PAGE).page
 
-    page.locator("ul.counts a", has_text="reproduced").first.click()
+    page.locator("ul.counts a", has_text="contradicted").first.click()
 
-    assert page.locator("#table-2 + .wrap tbody tr:visible").count() == 0
+    assert page.locator("#table-2 + .wrap tbody tr:visible").count() == 2
     assert page.locator("#table-3 + .wrap tbody tr:visible").count() == 1
 
 

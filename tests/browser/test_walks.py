@@ -18,15 +18,14 @@ def test_which_printed_numbers_of_this_paper_hold(visit: Open) -> None:
     page.get_by_role("link", name="doe2021", exact=True).click()
     summary = page.locator("#summary")
     held = summary.locator("dd").nth(1)
-    assert (
-        "2 of 9 printed numbers and claims: 1 of 2 in Table 3, 1 of 3 claims" in held.inner_text()
-    )
-    page.get_by_role("link", name=re.compile("2 ✔ reproduced")).click()
+    assert "✔ reproduced: 1 of 9 results: 1 of 3 claims of the text" in held.inner_text()
+    assert "≈ consistent: 3 of 9 results: 1 of 4 in Table 2, 1 of 2 in Table 3" in held.inner_text()
+    page.get_by_role("link", name=re.compile("3 ≈ consistent")).click()
 
     numbers = page.locator("td.cell .printed:visible").all_inner_texts()
     claims = page.locator("tr[data-verdict]:visible .claim").all_inner_texts()
-    assert numbers == ["2.357"]
-    assert claims == ["WOA needs 2.36 s | at most"]
+    assert numbers == ["1.000", "2.357"]
+    assert claims == ["WOA is best, on F1"]
 
 
 def test_why_this_cell_is_called_impossible(visit: Open) -> None:

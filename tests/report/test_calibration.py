@@ -11,7 +11,7 @@ def test_without_a_calibration_there_are_no_rows(
 ) -> None:
     monkeypatch.setattr(module, "files", lambda _: tmp_path)
 
-    assert calibration() == {"rows": [], "coverage": [], "by": {}}
+    assert calibration() == {"rows": [], "narrow": [], "coverage": [], "by": {}}
 
 
 def test_calibration_is_read_as_it_is_written(
@@ -20,4 +20,4 @@ def test_calibration_is_read_as_it_is_written(
     (tmp_path / "calibration.json").write_text('{"rows": [{"share": 0.5}]}')
     monkeypatch.setattr(module, "files", lambda _: tmp_path)
 
-    assert calibration() == {"rows": [{"share": 0.5}], "coverage": [], "by": {}}
+    assert calibration() == {"rows": [{"share": 0.5}], "narrow": [], "coverage": [], "by": {}}

@@ -86,7 +86,7 @@ def test_a_statement_in_words_is_off_by_no_factor() -> None:
         (None, 0, "input or true by definition: shown, not counted"),
         ("limits", 0, ""),
         ("limits", 1, "counts once with 1 other: limits"),
-        ("limits", 9, "counts once with 9 others: limits"),
+        ("limits", 2, "counts once with 2 others: limits"),
     ],
 )
 def test_what_a_finding_counts_with_is_said(group: str | None, others: int, words: str) -> None:

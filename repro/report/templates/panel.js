@@ -2,6 +2,7 @@
 // the cell that opens under the pointer and on keyboard focus, stays after a click, closes on Esc.
 {
   const pause = 150; // ms: a pointer that only crosses the table opens nothing
+  const least = 160; // px: what a panel keeps where its cell has left the window
   let open = null;
   let pinned = false;
   let timer = 0;
@@ -15,10 +16,16 @@
     if (!open) return;
     const cell = open.getBoundingClientRect();
     const panel = open.querySelector(".panel");
-    const { width, height } = panel.getBoundingClientRect();
-    const below = cell.bottom + height < innerHeight || cell.top < height;
+    const { width } = panel.getBoundingClientRect();
+    const height = panel.scrollHeight + 2; // and its borders
+    // never over its own cell, which is clicked to close it: where there is no room it scrolls
+    const [above, under] = [cell.top - 8, innerHeight - cell.bottom - 8];
+    const below = height <= under || above <= under;
+    const room = Math.max(below ? under : above, least);
+    const shown = Math.min(height, room);
     const left = Math.max(8, Math.min(cell.left, document.documentElement.clientWidth - width - 8));
-    const top = below ? Math.min(cell.bottom, innerHeight - height - 8) : cell.top - height;
+    const top = below ? Math.min(cell.bottom, innerHeight - shown - 8) : cell.top - shown;
+    panel.style.setProperty("--room", `${room}px`);
     panel.style.setProperty("--left", `${left}px`);
     panel.style.setProperty("--top", `${Math.max(8, top)}px`);
   };

@@ -106,7 +106,7 @@ def share_sheets(rows: Sequence[Row]) -> list[Sheet]:
     return [
         Sheet(
             name=f"{repeats} repeat{'s' if repeats != 1 else ''}",
-            headings=("statistic", "printed value", *(f"{SYMBOLS[v]} {v}" for v in SAID)),
+            headings=("statistic", "distance", *(f"{SYMBOLS[v]} {v}" for v in SAID)),
             rows=tuple(
                 (statistic, _value(factor), *(_percent(shares.get(v, 0.0)) for v in SAID))
                 for (statistic, factor), shares in places.items()
@@ -117,22 +117,26 @@ def share_sheets(rows: Sequence[Row]) -> list[Sheet]:
 
 
 def coverage_sheet(rows: Sequence[Row]) -> Sheet:
-    """Return how often the next table lies in its prediction interval, by kind of distribution."""
-    resampled = any("resampled" in row for row in rows)
+    """Return how often the next table lies in its prediction interval, by kind of costs.
+
+    In brackets stands what plain resampling would reach, where that is known.
+    """
+    depths = sorted({row["repeats"] for row in rows})
+    places: dict[tuple[str, str], dict[int, str]] = {}
+    for row in rows:
+        plain = row.get("resampled")
+        reached = _percent(row["reached"]) + (f" ({_percent(plain)})" if plain is not None else "")
+        places.setdefault((row["kind"], row["statistic"]), {})[row["repeats"]] = reached
     return Sheet(
         name="coverage",
-        headings=("distribution of costs", "repeats", "statistic", "promised", "reached")
-        + ("by plain resampling",) * resampled,
+        headings=(
+            "costs",
+            "statistic",
+            *(f"{depth} repeat{'s' if depth != 1 else ''}" for depth in depths),
+        ),
         rows=tuple(
-            (
-                str(row["kind"]),
-                str(row["repeats"]),
-                str(row["statistic"]),
-                _percent(row["promised"]),
-                _percent(row["reached"]),
-                *((_percent(row.get("resampled")),) if resampled else ()),
-            )
-            for row in rows
+            (kind, statistic, *(found.get(depth, "–") for depth in depths))
+            for (kind, statistic), found in places.items()
         ),
     )
 
@@ -140,9 +144,8 @@ def coverage_sheet(rows: Sequence[Row]) -> Sheet:
 def _value(factor: float) -> str:
     if factor == TRUTH:
         return "true"
-    times = factor if factor > TRUTH else 1.0 / factor
-    return f"{times:g} times as {'far' if factor > TRUTH else 'near'}"
+    return f"×{factor:g}" if factor > TRUTH else f"÷{1.0 / factor:g}"
 
 
-def _percent(share: float | None) -> str:
-    return "–" if share is None else f"{100 * share:.1f} %"
+def _percent(share: float) -> str:
+    return f"{100 * share:.1f} %"

@@ -1,16 +1,16 @@
 """What the templates show of one paper, arranged from its findings."""
 
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from repro.audit import AuditRow
 from repro.judge.counting import by_group
 from repro.judge.findings import IN_WORDS, Finding
-from repro.judge.turning import ReadingOutcome
-from repro.judge.verdict import HELD, Verdict, verdict_of
+from repro.judge.verdict import Verdict, verdict_of
 from repro.model.identifiers import anchor, identifiers
 from repro.model.measures.measure import TABLES
+from repro.report.views.turns import ShownReading, Turn, shown_reading, turns_of
 from repro.report.words import (
     could_be_off,
     counted,
@@ -54,8 +54,8 @@ class Shown:
     own: str = ""
     unseen: str = ""
     counted: str = ""
-    readings: tuple["ShownReading", ...] = ()
-    turns: tuple["Turn", ...] = ()
+    readings: tuple[ShownReading, ...] = ()
+    turns: tuple[Turn, ...] = ()
     marks: tuple[AuditRow, ...] = ()
 
     @property
@@ -85,29 +85,6 @@ class Shown:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class ShownReading:
-    """What becomes of a number under another reading, as the pages show it."""
-
-    reading: str
-    measured: str
-    verdict: str
-    kind: str
-    repeats: int
-    held: bool
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Turn:
-    """A reading or setting on which a verdict turns, and what comes out under it.
-
-    A setting has several outcomes: that of each value that was tried.
-    """
-
-    name: str
-    outcomes: tuple[ShownReading, ...]
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
 class Tally:
     """How many results of one table, or of the claims (no label), have each verdict."""
 
@@ -134,10 +111,12 @@ def everything(
     findings: Sequence[Finding],
     rows: Iterable[AuditRow],
     settings: Mapping[str, Sequence[str]] | None = None,
+    ruled_out: Collection[str] = (),
 ) -> list[Shown]:
     """Return every finding in the words and digits of the pages, with the audit rows on it.
 
-    `settings` names the readings that are values of each open setting.
+    `settings` names the readings that are values of each open setting, `ruled_out` those that the
+    text rules out.
     """
     marks = marks_by_cell(rows)
     names = identifiers((f.table or "claim", f.row, f.column, f.claim) for f in findings)
@@ -150,11 +129,14 @@ def everything(
         cell = (finding.table, finding.row, finding.column)
         own = tuple(marks.get(cell, ())) if finding.table else ()
         shown = _shown(finding, name, group, lines[group] + 1, own)
+        digits = digits_of(finding)
+        readings = tuple(shown_reading(each, digits, ruled_out) for each in finding.readings)
         found.append(
             replace(
                 shown,
+                readings=readings,
                 counted=counted(finding.group, together[finding.group] - 1),
-                turns=_turns(finding, shown.readings, settings or {}),
+                turns=turns_of(finding, readings, settings or {}),
             )
         )
     return found
@@ -178,20 +160,10 @@ def tallies(found: Iterable[Shown]) -> list[Tally]:
     ]
 
 
-def _turns(
-    finding: Finding, readings: Sequence[ShownReading], settings: Mapping[str, Sequence[str]]
-) -> tuple[Turn, ...]:
-    return tuple(
-        Turn(
-            name=name,
-            outcomes=tuple(
-                one
-                for one in readings
-                if one.reading == name or one.reading in settings.get(name, ())
-            ),
-        )
-        for name in finding.turns_on
-    )
+def digits_of(finding: Finding) -> int:
+    """Return how many digits of what is measured are shown."""
+    worded = finding.printed == IN_WORDS
+    return 4 if worded else digits_for(Printed(finding.printed, finding.unit))
 
 
 def _shown(
@@ -199,7 +171,7 @@ def _shown(
 ) -> Shown:
     worded = finding.printed == IN_WORDS
     printed = None if worded else Printed(finding.printed, finding.unit)
-    digits = digits_for(printed) if printed else 4
+    digits = digits_of(finding)
     verdict = verdict_words(finding.verdict, finding.side)
     return Shown(
         finding=finding,
@@ -219,7 +191,6 @@ def _shown(
         order=printed.value if printed else None,
         own=_own(finding, printed),
         unseen="" if finding.unseen is None else could_be_off(finding.unseen, in_words=worded),
-        readings=tuple(_shown_reading(other, digits) for other in finding.readings),
         marks=marks,
     )
 
@@ -232,17 +203,6 @@ def _own(finding: Finding, printed: Printed | None) -> str:
     if printed:
         ends = printed.value - printed.rounding, printed.value + printed.rounding
     return verdict_words(*verdict_of(finding.measured, ends, finding.accepted))
-
-
-def _shown_reading(found: ReadingOutcome, digits: int) -> ShownReading:
-    return ShownReading(
-        reading=found.reading,
-        measured=interval(found.measured, digits),
-        verdict=verdict_words(found.verdict, found.side),
-        kind=anchor(found.verdict),
-        repeats=found.repeats,
-        held=found.verdict in HELD,
-    )
 
 
 def _with_unit(printed: Printed) -> str:

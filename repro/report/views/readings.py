@@ -10,6 +10,7 @@ from repro.judge.verdict import Verdict
 from repro.model.identifiers import anchor
 from repro.model.paper import Paper
 from repro.report.words import number
+from repro.runs.readings import readings
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -18,13 +19,14 @@ class ReadingRow:
 
     It bears on `bears` numbers and claims and turns `turns` of them; `repeats` says in how many
     repeats of the protocol it was run, of which some of its cells may have more; `open` that it is
-    a value of a setting that the text leaves wholly open.
+    a value of a setting that the text leaves wholly open, `ruled_out` that the text rules it out.
     """
 
     name: str
     anchor: str
     says: str
     open: bool
+    ruled_out: bool
     bears: int
     turns: int
     repeats: str
@@ -67,6 +69,7 @@ def readings_view(judgement: Judgement) -> ReadingsView:
                 name=name,
                 anchor=anchor(paper.key, "reading", name),
                 says=each.reading.says,
+                ruled_out=each.reading.ruled_out,
                 open=all(assumption.open for assumption in each.reading.of),
                 bears=len(by_name.get(name, ())),
                 turns=sum(name in names for names in turned),
@@ -91,6 +94,11 @@ def settings_of(paper: Paper) -> Mapping[str, tuple[str, ...]]:
         for assumption in paper.assumptions
         if assumption.open
     }
+
+
+def ruled_out_by(paper: Paper) -> frozenset[str]:
+    """Return the names of the readings that the text rules out."""
+    return frozenset(reading.name for reading in readings(paper) if reading.ruled_out)
 
 
 def _repeats(outcomes: Sequence[ReadingOutcome]) -> str:

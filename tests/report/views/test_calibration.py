@@ -66,22 +66,24 @@ def test_shares_stand_by_depth_statistic_and_factor() -> None:
 
     assert (once.name, ten.name) == ("1 repeat", "10 repeats")
     assert once.rows[0] == ("mean", "true", "10.0 %", "62.0 %", "13.0 %", "15.0 %")
-    assert [row[1] for row in once.rows] == ["true", "100 times as far"] * 2
+    assert [row[1] for row in once.rows] == ["true", "×100"] * 2
 
 
 def test_a_value_below_the_true_one_is_called_nearer() -> None:
     nearer = [{**row, "factor": 0.01} for row in rows(consistent=1.0)]
 
-    assert share_sheets(nearer)[0].rows[0][1] == "100 times as near"
+    assert share_sheets(nearer)[0].rows[0][1] == "÷100"
 
 
-@pytest.mark.parametrize("more", [{}, {"resampled": 0.6}])
-def test_coverage_shows_plain_resampling_where_it_is_known(more: dict[str, float]) -> None:
-    row = {"kind": "narrow", "repeats": 1, "statistic": "mean", "promised": 0.95, "reached": 0.96}
+@pytest.mark.parametrize(
+    ("more", "cell"), [({}, "96.0 %"), ({"resampled": 0.6}, "96.0 % (60.0 %)")]
+)
+def test_coverage_has_a_column_for_each_depth_and_plain_resampling_in_brackets(
+    more: dict[str, float], cell: str
+) -> None:
+    row = {"kind": "narrow", "repeats": 10, "statistic": "mean", "promised": 0.95, "reached": 0.96}
 
-    sheet = coverage_sheet([{**row, **more}])
+    sheet = coverage_sheet([{**row, **more}, {**row, "repeats": 1, "statistic": "std"}])
 
-    assert sheet.rows == (
-        ("narrow", "1", "mean", "95.0 %", "96.0 %", *(["60.0 %"] if more else [])),
-    )
-    assert len(sheet.headings) == len(sheet.rows[0])
+    assert sheet.headings == ("costs", "statistic", "1 repeat", "10 repeats")
+    assert sheet.rows == (("narrow", "mean", "–", cell), ("narrow", "std", "96.0 %", "–"))

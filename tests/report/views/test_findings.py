@@ -1,3 +1,4 @@
+import math
 from dataclasses import replace
 from typing import Any
 
@@ -50,6 +51,19 @@ def test_a_setting_that_turns_a_verdict_stands_with_the_outcome_of_each_value() 
     (shown,) = everything([found], [], {"iterations": ("t30", "t90")})
 
     assert [one.reading for one in shown.turns[0].outcomes] == ["t30", "t90"]
+
+
+def test_a_reading_that_may_turn_nothing_holds_nothing_and_says_why() -> None:
+    few = replace(outcome("few", Verdict.CONSISTENT), measured=(0.0, math.inf))
+    found = finding("F1", readings=(few, outcome("other title", Verdict.CONSISTENT)))
+
+    (shown,) = everything([found], [], {}, {"other title"})
+
+    assert [one.note for one in shown.readings] == [
+        "too few runs to rule anything out",
+        "the text rules it out",
+    ]
+    assert shown.tried == "it holds under none of 2 readings that were tried besides"
 
 
 def test_none_of_the_readings_that_were_tried_is_said_with_their_number() -> None:

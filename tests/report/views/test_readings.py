@@ -5,7 +5,7 @@ import pytest
 from repro.judge.judgement import judge
 from repro.judge.other_readings import FARTHEST
 from repro.report.pages import render
-from repro.report.views.readings import ReadingsView, readings_view, settings_of
+from repro.report.views.readings import ReadingsView, readings_view, ruled_out_by, settings_of
 from tests.judge.test_other_readings import WIDER, evidence, open_paper
 
 
@@ -70,3 +70,12 @@ def test_both_pages_say_what_a_zero_counts_in_a_distance(page: str) -> None:
     text = render(f"sections/readings.{page}", context)
 
     assert f"a zero against another number counts as {FARTHEST:g}." in text
+
+
+def test_a_reading_that_the_text_rules_out_is_shown_and_said_to_be_so() -> None:
+    paper = open_paper(replace(WIDER, ruled_out=True))
+
+    shown = readings_view(judge(paper, evidence(paper, guess=5.0, wider=0.05)))
+
+    assert ruled_out_by(paper) == {"wider"}
+    assert [(row.name, row.ruled_out, row.turns) for row in shown.rows] == [("wider", True, 0)]
