@@ -66,13 +66,13 @@ class Trial:
 def kind_of(costs: Vector, problem: BenchmarkProblem) -> str:
     """Return what the costs of many runs, shape (runs,), look like, as one of `KINDS`.
 
-    "quantised": most runs share their cost with another, or lie within ten steps of double
-    arithmetic from the minimum; "narrow": distances from the minimum span less than a decade; "rare
-    outliers": those of 95 in 100 runs do; "decades": the rest.
+    "quantised": most runs share their cost with another, as those within a few steps of double
+    arithmetic from the minimum do; "narrow": distances from the minimum span less than a decade;
+    "rare outliers": those of 95 in 100 runs do; "decades": the rest.
     """
     away = np.sort(costs) - problem.function.minimum
     alone = np.unique(costs, return_counts=True)[1] == 1
-    if alone.sum() < away.size / 2 or np.median(away) <= 10.0 * problem.step:
+    if alone.sum() < away.size / 2:
         return "quantised"
     if away[-1] < 10.0 * away[0]:
         return "narrow"
