@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 Vector = NDArray[np.float64]
 DECADE = 10.0  # ratio of greatest to least from which costs are extended by their logarithm
 REACH = 2.0
-"""Mean excesses by which a new extreme lies beyond the stored one, on average. By the calibration 1
-would do for 300 runs and more, but 30 would then contradict one true spread in forty more. Twice as
-much helps 30 little: what they miss is a kind of run that they lack."""
+"""Mean excesses by which a new extreme lies beyond many stored runs, on average; where as few are
+stored as a table has, twice as much. By the calibration 1 would do for 300 runs and more, but not
+for 30, which may lack a kind of run that the next table has."""
 
 
 def predicted(
@@ -53,7 +53,8 @@ def next_tables(
     up = rng.random((tables, n)) < 0.5
     found = stored[np.clip(place - 1 + up, 0, size - 1)]
     steps = rng.standard_exponential((tables, n))
-    low, high = _beyond(stored, steps[place == 0], steps[place >= size], floor)
+    reach = REACH * (1.0 + n / size)
+    low, high = _beyond(stored, steps[place == 0] * reach, steps[place >= size] * reach, floor)
     found[place == 0] = low
     found[place >= size] = high
     return np.asarray(found)
@@ -62,10 +63,10 @@ def next_tables(
 def _beyond(stored: Vector, below: Vector, above: Vector, floor: float) -> tuple[Vector, Vector]:
     """Return runs below the least and above the greatest stored one, by so many mean excesses.
 
-    The excess over an extreme is taken as exponential, with `REACH` times the mean excess of the
-    stored runs beyond their median: of the logarithm of the distance from the floor (from 0, where
-    none is known), where distances span a decade or more. One run says nothing of how far others
-    lie, and beyond infinity there is nothing.
+    The excess over an extreme is taken as exponential, with the mean excess of the stored runs
+    beyond their median, times `REACH` (1 + n/N), which `below` and `above` hold: of the logarithm
+    of the distance from the floor (from 0, where none is known), where distances span a decade or
+    more. One run says nothing of how far others lie, and beyond infinity there is nothing.
     """
     finite = stored[np.isfinite(stored)]
     least = min(max(floor, 0.0) if stored[0] >= 0.0 else floor, stored[0])
@@ -92,7 +93,7 @@ def _excesses(values: Vector, below: Vector, above: Vector) -> tuple[Vector, Vec
     middle = float(np.median(values))
     # differences first: equal values have a rounded mean, but no excess
     down, up = (middle - values[:half]).mean(), (values[-half:] - middle).mean()
-    return values[0] - REACH * down * below, values[-1] + REACH * up * above
+    return values[0] - down * below, values[-1] + up * above
 
 
 def half_equal(values: Vector) -> bool:

@@ -149,7 +149,18 @@ def test_worst_goes_beyond_the_stored_by_the_reach_of_mean_excesses(size: int) -
 
     over, under = found[found > 12.0] - 12.0, 11.0 - found[found < 11.0]
     for beyond in (over, under):
-        assert float(beyond.mean()) == pytest.approx(REACH / 4, rel=6 / beyond.size**0.5)
+        assert float(beyond.mean()) == pytest.approx(2 * REACH / 4, rel=6 / beyond.size**0.5)
+
+
+def test_more_stored_runs_reach_less_far() -> None:
+    once, often = np.linspace(11.0, 12.0, 30), np.linspace(11.0, 12.0, 300).reshape(10, 30)
+
+    reach = [
+        float((found[found > 12.0] - 12.0).mean())
+        for found in (tables_of(stored, tables=4000) for stored in (once, often))
+    ]
+
+    assert reach[0] / reach[1] == pytest.approx(2.0 / 1.1, rel=0.1)
 
 
 def test_costs_over_decades_go_beyond_by_their_logarithm() -> None:
@@ -158,7 +169,7 @@ def test_costs_over_decades_go_beyond_by_their_logarithm() -> None:
 
     over, under = np.log10(found[found > 1.0]), -10.0 - np.log10(found[found < 1e-10])
     for beyond in (over, under):
-        assert float(beyond.mean()) == pytest.approx(2.5 * REACH, rel=6 / beyond.size**0.5)
+        assert float(beyond.mean()) == pytest.approx(2 * REACH * 2.5, rel=6 / beyond.size**0.5)
 
 
 def test_spread_of_tables_beyond_any_double_is_a_number() -> None:
