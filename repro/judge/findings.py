@@ -37,8 +37,8 @@ class Finding:
     """What is said of one printed number or sentence; numbers are in the printed unit.
 
     Findings of one `group` count once, those of none are not counted. `turns_on` names readings
-    and settings that turn the verdict, `unseen` is the factor by which a consistent number could be
-    off.
+    and settings that turn the verdict, which `as_run` was without them; `unseen` is the factor by
+    which a consistent number could be off.
     """
 
     table: str | None
@@ -60,6 +60,8 @@ class Finding:
     tolerance: str = ""
     group: str | None = None
     unseen: Unseen | None = None
+    as_run: Verdict | None = None
+    as_run_side: str | None = None
     turns_on: tuple[str, ...] = ()
     readings: tuple[ReadingOutcome, ...] = ()
 
@@ -142,6 +144,8 @@ def _found(claim: Claim, measured: Measured) -> Finding:
         side=side,
         quantile=_quantile(claim, measured) if measured.repeats and not _in_words(claim) else None,
         repeats=measured.repeats,
+        as_run=verdict,
+        as_run_side=side,
         unseen=unseen(interval, claim.printed.value, minimum) if consistent else None,
     )
 

@@ -3,11 +3,11 @@
 from collections import Counter
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 from repro.audit import AuditRow
 from repro.judge.counting import by_group
 from repro.judge.findings import IN_WORDS, Finding
-from repro.judge.verdict import Verdict, verdict_of
 from repro.model.identifiers import anchor, identifiers
 from repro.model.measures.measure import TABLES
 from repro.report.views.turns import ShownReading, Turn, shown_reading, turns_of
@@ -22,6 +22,9 @@ from repro.report.words import (
     verdict_words,
 )
 from repro.tables.published import UNITS, Printed, PublishedTable
+
+if TYPE_CHECKING:
+    from repro.judge.verdict import Verdict
 
 Place = tuple[str | None, str | None, str | None]
 
@@ -189,20 +192,17 @@ def _shown(
         group=group,
         line=line,
         order=printed.value if printed else None,
-        own=_own(finding, printed),
+        own=_own(finding),
         unseen="" if finding.unseen is None else could_be_off(finding.unseen, in_words=worded),
         marks=marks,
     )
 
 
-def _own(finding: Finding, printed: Printed | None) -> str:
+def _own(finding: Finding) -> str:
     """Return what the re-run alone says, where it is not what is said."""
-    if finding.verdict is not Verdict.DEPENDS or finding.measured is None:
+    if finding.as_run is None or finding.as_run is finding.verdict:
         return ""
-    ends = finding.accepted
-    if printed:
-        ends = printed.value - printed.rounding, printed.value + printed.rounding
-    return verdict_words(*verdict_of(finding.measured, ends, finding.accepted))
+    return verdict_words(finding.as_run, finding.as_run_side)
 
 
 def _with_unit(printed: Printed) -> str:

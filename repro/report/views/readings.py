@@ -1,15 +1,17 @@
 """What the pages say of the other readings of a paper."""
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from repro.judge.findings import Finding
 from repro.judge.judgement import Judgement
 from repro.judge.other_readings import AS_CHOSEN, Print
 from repro.judge.turning import ReadingOutcome
 from repro.judge.verdict import Verdict
 from repro.model.identifiers import anchor
 from repro.model.paper import Paper
-from repro.report.words import number
+from repro.report.words import interval, number, verdict_words
 from repro.runs.readings import readings
 
 
@@ -33,6 +35,19 @@ class ReadingRow:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Beside:
+    """Two forms of one search side by side: what each makes of every cell that tells them apart.
+
+    `counts` are the verdicts as re-run and under the reading; `rows` cell, printed number, and both
+    intervals with their verdicts.
+    """
+
+    reading: str
+    counts: tuple[Counter[str], Counter[str]]
+    rows: tuple[tuple[str, ...], ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class ReadingsView:
     """Other readings, how the numbers fare under them, and the fingerprint of each column.
 
@@ -48,6 +63,7 @@ class ReadingsView:
     contradicted: int
     untouched: int
     prints: tuple[tuple[str, ...], ...]
+    beside: tuple[Beside, ...] = ()
 
 
 def readings_view(judgement: Judgement) -> ReadingsView:
@@ -84,6 +100,47 @@ def readings_view(judgement: Judgement) -> ReadingsView:
         contradicted=len(contradicted),
         untouched=sum(not f.readings for f in contradicted),
         prints=tuple(_print_row(each) for each in judgement.prints if each.others),
+        beside=_beside(judgement),
+    )
+
+
+def _beside(judgement: Judgement) -> tuple[Beside, ...]:
+    """Return the readings of a control that were run as often as its protocol."""
+    if not judgement.paper.control:
+        return ()
+    full = [
+        each.reading.name
+        for each in judgement.readings
+        if all(alternative.full_depth for alternative in each.reading.alternatives)
+    ]
+    return tuple(_side_by_side(name, judgement.findings) for name in full)
+
+
+def _side_by_side(reading: str, findings: Sequence[Finding]) -> Beside:
+    pairs = [
+        (finding, outcome)
+        for finding in findings
+        for outcome in finding.readings
+        if outcome.reading == reading and finding.table and finding.as_run
+    ]
+    return Beside(
+        reading=reading,
+        rows=tuple(
+            (
+                f"{finding.table}, {finding.row}, {finding.column}",
+                finding.printed,
+                interval(finding.measured),
+                verdict_words(finding.as_run, finding.as_run_side),
+                interval(outcome.measured),
+                verdict_words(outcome.verdict, outcome.side),
+            )
+            for finding, outcome in pairs
+            if finding.as_run
+        ),
+        counts=(
+            Counter(str(finding.as_run) for finding, _ in pairs),
+            Counter(str(outcome.verdict) for _, outcome in pairs),
+        ),
     )
 
 

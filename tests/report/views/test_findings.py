@@ -13,7 +13,8 @@ def finding(row: str, **changes: Any) -> Finding:  # noqa: ANN401 (of each field
     own = Finding(
         table="Table 2", row=row, column="WOA", claim=None, where="p. 5", printed="2.0", unit="",
         measured=(3.0, 4.0), value=3.5, accepted=(1.5, 2.5), verdict=Verdict.CONTRADICTED,
-        side="higher", note="", repeats=10, group=row,
+        side="higher", note="", repeats=10, group=row, as_run=Verdict.CONTRADICTED,
+        as_run_side="higher",
     )  # fmt: skip
     return replace(own, **changes)
 
@@ -29,7 +30,17 @@ def test_what_turns_a_verdict_stands_with_its_outcome_and_all_that_was_tried_is_
     )
 
     (shown,) = everything(
-        [finding("F1", verdict=Verdict.DEPENDS, side=None, readings=tried, turns_on=("scalar",))],
+        [
+            finding(
+                "F1",
+                verdict=Verdict.DEPENDS,
+                as_run=Verdict.CONTRADICTED,
+                as_run_side="higher",
+                side=None,
+                readings=tried,
+                turns_on=("scalar",),
+            )
+        ],
         [],
     )
 

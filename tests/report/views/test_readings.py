@@ -55,7 +55,7 @@ def test_fingerprint_names_its_column_and_the_nearest_reading() -> None:
     shown = view(guess=5.0, wider=0.05)
 
     assert [row[:2] for row in shown.prints] == [("Table 1", "guess")]
-    assert shown.prints[0][4] == "wider"
+    assert shown.prints[0][5] == "wider"
 
 
 def test_paper_whose_readings_were_not_run_shows_none() -> None:
@@ -79,3 +79,31 @@ def test_a_reading_that_the_text_rules_out_is_shown_and_said_to_be_so() -> None:
 
     assert ruled_out_by(paper) == {"wider"}
     assert [(row.name, row.ruled_out, row.turns) for row in shown.rows] == [("wider", True, 0)]
+
+
+def test_two_forms_of_a_controls_search_stand_side_by_side() -> None:
+    paper = replace(open_paper(replace(WIDER, full_depth=True)), control=True)
+    costs = evidence(paper, guess=5.0, wider=0.05)
+
+    (form,) = readings_view(judge(paper, costs)).beside
+
+    assert form.reading == "wider"
+    assert form.counts[0] == {"contradicted": 2}
+    assert form.counts[1] == {"reproduced": 1, "contradicted": 1}
+    assert form.rows[0] == (
+        *("Table 1, bowl mean, guess", "0.05", "5", "✖ contradicted (higher)"),
+        *("0.05000", "✔ reproduced"),
+    )
+    for page in ("md", "html"):
+        context = {
+            "readings": readings_view(judge(paper, costs)),
+            "reading_repeats": 1,
+            "provenance": {"repeats": 20},
+        }
+        assert "beside" in render(f"sections/readings.{page}", context)
+
+
+def test_other_papers_readings_are_not_set_side_by_side() -> None:
+    paper = open_paper(replace(WIDER, full_depth=True))
+
+    assert readings_view(judge(paper, evidence(paper, guess=5.0, wider=0.05))).beside == ()
