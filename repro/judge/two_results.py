@@ -75,8 +75,13 @@ class TwoResults:
 
 
 def compare(first: Json, second: Json) -> TwoResults:
-    """Return how the verdicts of two results.json differ on what both speak of."""
-    ours, theirs = dict(_verdicts(first)), dict(_verdicts(second))
+    """Return how the verdicts of two results.json differ on what both speak of.
+
+    Where one of them has no runs of other readings, on which verdicts turn, what the re-run says
+    without them is compared.
+    """
+    alone = not (_has_readings(first) and _has_readings(second))
+    ours, theirs = (dict(_verdicts(each, alone=alone)) for each in (first, second))
     flips = tuple(
         Flip(paper=paper, place=place, first=verdict, second=theirs[paper, place])
         for (paper, place), verdict in ours.items()
@@ -92,11 +97,21 @@ def compare(first: Json, second: Json) -> TwoResults:
     )
 
 
-def _verdicts(results: Json) -> Iterator[tuple[Place, str]]:
+def _has_readings(results: Json) -> bool:
+    findings = (finding for paper in results["papers"] for finding in paper["findings"])
+    return any(
+        outcome["repeats"] for finding in findings for outcome in finding.get("readings", ())
+    )
+
+
+def _verdicts(results: Json, *, alone: bool) -> Iterator[tuple[Place, str]]:
     for paper in results["papers"]:
         for finding in paper["findings"]:
             place = finding["claim"] or ", ".join(
                 (finding["table"], finding["row"], finding["column"])
             )
-            side = f", {finding['side']}" if finding["side"] else ""
-            yield (paper["key"], f"{place} ({finding['where']})"), finding["verdict"] + side
+            verdict, side = finding["verdict"], finding["side"]
+            if alone and finding.get("as_run"):
+                verdict, side = finding["as_run"], finding["as_run_side"]
+            said = f"{verdict}, {side}" if side else verdict
+            yield (paper["key"], f"{place} ({finding['where']})"), said

@@ -67,3 +67,15 @@ def test_what_one_of_the_results_alone_speaks_of_is_said_and_not_compared() -> N
         "1 in the first results alone:",
         "doe2021, Table 1, F2, WOA (p. 3)",
     ]
+
+
+def test_without_runs_of_readings_the_re_run_alone_is_compared() -> None:
+    turned, plain = results(("depends", None)), results(("contradicted", "lower"))
+    (finding,) = turned["papers"][0]["findings"]
+    finding |= {"as_run": "contradicted", "as_run_side": "lower"}
+    finding["readings"] = [{"reading": "wider", "repeats": 10}]
+
+    assert compare(turned, plain).flips == ()
+    (other,) = plain["papers"][0]["findings"]
+    other["readings"] = finding["readings"]
+    assert [flip.first for flip in compare(turned, plain).flips] == ["depends"]
