@@ -124,6 +124,22 @@ def test_a_spread_that_squares_of_single_precision_flush_to_zero_needs_doubles()
     assert proved(block | {"worst": "1.00×10^-15"}, n=2) == {"zero-std"}
 
 
+def test_a_mean_that_single_precision_flushes_to_zero_needs_doubles() -> None:
+    block = {"best": "0.00×10^0", "mean": "0.00×10^0", "worst": "1.00×10^-39"}
+    assert condition_of(block, n=2) == IN_DOUBLES
+    assert proved(block | {"worst": "1.00×10^-30"}, n=2) == {"mean-bound"}
+
+
+def test_equal_runs_may_have_the_spread_that_the_rounding_of_their_mean_gives() -> None:
+    runs = np.full(30, 0.1, dtype=F)
+    away = runs - F(one_by_one(runs) / F(30))
+    spread = float(np.sqrt(F((away * away).sum() / F(29))))
+    block = {name: scientific(float(runs[0]), 10) for name in ("best", "worst")}
+    assert spread > 1e-9
+    assert condition_of(block | {"std": scientific(spread)}, n=30) == IN_DOUBLES
+    assert proved(block | {"std": scientific(1000 * spread)}, n=30) == {"std-bound"}
+
+
 def test_numbers_that_single_precision_cannot_hold_prove_doubles() -> None:
     block = {"mean": "3.00×10^-60", "std": "3.00×10^-57"}
     assert proved(block, n=30) == {"std-bound"}
