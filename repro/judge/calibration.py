@@ -95,7 +95,7 @@ def trials(known: KnownTable) -> Iterator[Trial]:
     A false value is left out where its print and that of the truth overlap: no reader can tell.
     """
     cost = np.empty(0)
-    runs = Runs(costs=known.stored, points=cost, histories=cost, evaluations=0)
+    runs = Runs(costs=known.stored, points=cost, histories=np.zeros(0), evaluations=0)
     experiment = _experiment(known)
     evidence = Evidence(f"calibration/{known.name}", (experiment,), {_PLACE: runs})
     plain = resampled(known)

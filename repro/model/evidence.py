@@ -91,6 +91,13 @@ class Evidence:
         problem = next(of, None)
         return problem.minimum if isinstance(problem, BenchmarkProblem) else -math.inf
 
+    def ceiling(self, cell: Cell) -> float:
+        """Return what no search of a cell ends above: the worst that one was after an iteration."""
+        runs = self.runs[cell]
+        if not runs.histories.size:
+            return math.inf
+        return float(max(runs.histories[..., 0].max(), runs.costs.max()))
+
     def values(self, cell: Cell, quantity: str = "cost") -> Vector:
         """Return a quantity of every run, shape (repeats, runs).
 

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Vector = NDArray[np.float64]
+ANYWHERE = (-np.inf, np.inf)
 DECADE = 10.0  # ratio of greatest to least from which costs are extended by their logarithm
 REACH = 2.0
 """Mean excesses by which a new extreme lies beyond many stored runs, on average; where as few are
@@ -19,14 +20,14 @@ def predicted(
     *,
     tables: int,
     rng: np.random.Generator,
-    floor: float = -np.inf,
+    ends: tuple[float, float] = ANYWHERE,
 ) -> Vector:
     """Return the statistic of tables that may come next, shape (tables,); see `next_tables`."""
-    return statistic(next_tables(values, tables=tables, rng=rng, floor=floor))
+    return statistic(next_tables(values, tables=tables, rng=rng, ends=ends))
 
 
 def next_tables(
-    values: Vector, *, tables: int, rng: np.random.Generator, floor: float = -np.inf
+    values: Vector, *, tables: int, rng: np.random.Generator, ends: tuple[float, float] = ANYWHERE
 ) -> Vector:
     """Return tables of n runs that may come after N stored ones, shape (tables, n).
 
@@ -37,9 +38,9 @@ def next_tables(
     16 (1988) 1684-1695, doi:10.1214/aos/1176351061). So both samples count, theirs of n and ours of
     N: a mean varies by √(1/n + 1/N), and a new best or worst lies beyond all stored runs with
     chance n/(N + n), whatever the distribution. Between two stored runs one of the two is taken;
-    beyond the last ones see `_beyond`. No new value is below `floor`, unless stored ones are.
+    beyond the last ones see `_beyond`. No new value lies outside `ends`, unless stored ones do.
     """
-    stored = np.sort(values, axis=None)
+    stored = np.sort(values, axis=None).astype(np.float64)
     size, n = stored.size, values.shape[-1]
     place = np.empty((n, tables), dtype=np.intp)  # 0 below all stored, size above all
     rows = np.arange(tables)
@@ -54,7 +55,8 @@ def next_tables(
     found = stored[np.clip(place - 1 + up, 0, size - 1)]
     steps = rng.standard_exponential((tables, n))
     reach = REACH * (1.0 + n / size)
-    low, high = _beyond(stored, steps[place == 0] * reach, steps[place >= size] * reach, floor)
+    low, high = _beyond(stored, steps[place == 0] * reach, steps[place >= size] * reach, ends[0])
+    high = np.minimum(high, max(ends[1], stored[-1]))
     found[place == 0] = low
     found[place >= size] = high
     return np.asarray(found)

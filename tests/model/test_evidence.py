@@ -98,6 +98,14 @@ def test_floor_is_the_minimum_of_a_function_and_nothing_else() -> None:
     assert found.floor(("elsewhere", "bowl", "guess")) == -math.inf
 
 
+def test_ceiling_is_the_worst_that_a_search_was_after_one_iteration() -> None:
+    found = evidence(guess=[[1, 2], [3, 9]])
+    unknown = replace(found.runs[CELL], histories=np.zeros(0))
+
+    assert found.ceiling(CELL) == 45  # histories fall from five times the final cost
+    assert found.deeper({CELL: unknown}).ceiling(CELL) == math.inf
+
+
 def test_deeper_cells_take_the_place_of_shallow_ones() -> None:
     found = evidence(guess=[[1, 2]])
     more = evidence(guess=[[1, 2], [3, 4]]).runs

@@ -23,7 +23,7 @@ def tables_of(
 ) -> Vector:
     """Return tables after one repeat, or after those that an array has."""
     values = np.array(costs, ndmin=2)
-    return next_tables(values, tables=tables, rng=np.random.default_rng(seed), floor=floor)
+    return next_tables(values, tables=tables, rng=np.random.default_rng(seed), ends=(floor, np.inf))
 
 
 def normal(repeats: int, n: int) -> Vector:
@@ -75,6 +75,14 @@ def test_one_run_says_nothing_of_how_far_others_lie(floor: float, low: float) ->
 
     assert np.unique(found).tolist() == [low, np.inf]
     assert quantile_interval(found[:, 0], 0.95) == (low, np.inf)
+
+
+def test_no_new_run_lies_above_the_ceiling_unless_stored_ones_do() -> None:
+    stored = np.logspace(-10.0, 0.0, 30).reshape(1, 30)
+
+    for ceiling, greatest in ((5.0, 5.0), (0.1, 1.0)):
+        found = next_tables(stored, tables=500, rng=np.random.default_rng(1), ends=(0.0, ceiling))
+        assert found.max() == greatest
 
 
 @pytest.mark.parametrize("floor", [-np.inf, 0.0])
@@ -176,7 +184,7 @@ def test_spread_of_tables_beyond_any_double_is_a_number() -> None:
     stored = np.logspace(-300.0, 0.0, 30).reshape(1, 30)
 
     found = predicted(
-        stored, standard_deviation, tables=500, rng=np.random.default_rng(1), floor=0.0
+        stored, standard_deviation, tables=500, rng=np.random.default_rng(1), ends=(0.0, np.inf)
     )
 
     assert np.isfinite(found).all()

@@ -111,9 +111,10 @@ def _statistics(evidence: Evidence, cell: Cell, quantity: str) -> Mapping[str, M
     values = evidence.values(cell, quantity)
     # named without the quantity: the same tables for all of a cell's numbers
     rng = generator("tables", evidence.key, *cell)
-    floor = evidence.floor(cell) if quantity == "cost" else -np.inf
+    cost = quantity == "cost"
+    ends = (evidence.floor(cell), evidence.ceiling(cell)) if cost else (-np.inf, np.inf)
     thin = half_equal(values)
-    tables = next_tables(values, tables=TABLES, rng=rng, floor=floor)
+    tables = next_tables(values, tables=TABLES, rng=rng, ends=ends)
     return {
         name: Measured(
             value=float(statistic(values[0])),

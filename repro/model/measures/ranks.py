@@ -220,7 +220,8 @@ class RankSum:
             cell = (self.experiment, problem, algorithm)
             values = evidence.values(cell)
             rng = generator("tables", evidence.key, *cell)
-            drawn = next_tables(values, tables=TEST_TABLES, rng=rng, floor=evidence.floor(cell))
+            ends = evidence.floor(cell), evidence.ceiling(cell)
+            drawn = next_tables(values, tables=TEST_TABLES, rng=rng, ends=ends)
             tables.append(np.vstack([values[:1], drawn]))
         return tables
 
