@@ -15,7 +15,7 @@ from repro.tables.published import UNITS
 
 LEVEL = 0.95
 PROVISIONAL = "provisional: one repeat only"
-THIN = "one repeat only: so few runs contradict no extreme, and nothing where half are equal"
+THIN = f"{PROVISIONAL}, and so few runs contradict no extreme, nor anything where half are equal"
 IN_WORDS = "in words"
 
 

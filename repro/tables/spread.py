@@ -42,11 +42,11 @@ def _too_large(block: Block) -> str:
     if std.low**2 * (block.n - 1) <= squares * (1 + _rounded(block)):
         return ""
     most = root(sample.squares / (block.n - 1))
+    beyond = f"{times(factor(std.low, most))} the bound" if most else "and none can be"
     return (
         f"{block.n} runs with {_known(block, sample)} spread most with {sample.words}: a standard "
         f"deviation of {shown(most)} in the n−1 form (less in the n form); printed is "
-        f"{block.printed('std').text}, at least {shown(std.low)}: "
-        f"{times(factor(std.low, most))} the bound"
+        f"{block.printed('std').text}, at least {shown(std.low)}: {beyond}"
     )
 
 

@@ -15,7 +15,7 @@ from tests.verdict_list import MACHINE
 
 pytestmark = pytest.mark.full_size
 KEYS = tuple(all_papers())
-OPPOSITE = {("reproduced", "contradicted"), ("contradicted", "reproduced")}
+HELD = {"reproduced", "consistent"}
 
 
 def pages(folder: Path) -> dict[str, bytes]:
@@ -55,7 +55,7 @@ def test_no_verdict_of_the_list_turns_into_its_opposite(
     turned = [
         (new, old[5])
         for new, old in zip(fresh, expected, strict=True)
-        if (new[5], old[5]) in OPPOSITE
+        if {new[5], old[5]} & HELD and "contradicted" in {new[5], old[5]}
     ]
     assert turned == []
 
