@@ -13,18 +13,26 @@ Place = tuple[str, str]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Flip:
-    """A number or claim whose verdict is another one in the second results."""
+    """A number or claim whose verdict is another one in the second results.
+
+    Of one that `depends` on a reading in either, neither says that it holds or is contradicted.
+    """
 
     paper: str
     place: str
     first: str
     second: str
+    depends: bool = False
 
     @property
     def opposite(self) -> bool:
         """Whether one says that the number holds, and the other that it is contradicted."""
         words = [text.split(",")[0] for text in (self.first, self.second)]
-        return Verdict.CONTRADICTED in words and any(word in HELD for word in words)
+        return (
+            not self.depends
+            and Verdict.CONTRADICTED in words
+            and any(word in HELD for word in words)
+        )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -52,6 +60,7 @@ class TwoResults:
             "repeats": list(self.repeats),
             "same": self.compared - len(self.flips),
             "opposite": len(self.opposite),
+            "depending": sum(flip.depends for flip in self.flips),
             "changes": dict(Counter(f"{flip.first} → {flip.second}" for flip in self.flips)),
             "flips": [{**asdict(flip), "opposite": flip.opposite} for flip in self.flips],
             "only_first": [f"{paper}, {place}" for paper, place in self.only_first],
@@ -77,13 +86,25 @@ class TwoResults:
 def compare(first: Json, second: Json) -> TwoResults:
     """Return how the verdicts of two results.json differ on what both speak of.
 
-    Where one of them has no runs of other readings, on which verdicts turn, what the re-run says
+    Where not the same readings were tried in both, on which verdicts turn, what the re-run says
     without them is compared.
     """
-    alone = not (_has_readings(first) and _has_readings(second))
+    alone = _tried(first) != _tried(second)
     ours, theirs = (dict(_verdicts(each, alone=alone)) for each in (first, second))
+    depending = {
+        place
+        for each in (first, second)
+        for place, verdict in _verdicts(each, alone=False)
+        if verdict == Verdict.DEPENDS
+    }
     flips = tuple(
-        Flip(paper=paper, place=place, first=verdict, second=theirs[paper, place])
+        Flip(
+            paper=paper,
+            place=place,
+            first=verdict,
+            second=theirs[paper, place],
+            depends=(paper, place) in depending,
+        )
         for (paper, place), verdict in ours.items()
         if verdict != theirs.get((paper, place), verdict)
     )
@@ -97,11 +118,13 @@ def compare(first: Json, second: Json) -> TwoResults:
     )
 
 
-def _has_readings(results: Json) -> bool:
-    findings = (finding for paper in results["papers"] for finding in paper["findings"])
-    return any(
-        outcome["repeats"] for finding in findings for outcome in finding.get("readings", ())
-    )
+def _tried(results: Json) -> set[tuple[str, str]]:
+    return {
+        (paper["key"], outcome["reading"])
+        for paper in results["papers"]
+        for finding in paper["findings"]
+        for outcome in finding.get("readings", ())
+    }
 
 
 def _verdicts(results: Json, *, alone: bool) -> Iterator[tuple[Place, str]]:

@@ -69,7 +69,7 @@ def test_what_one_of_the_results_alone_speaks_of_is_said_and_not_compared() -> N
     ]
 
 
-def test_without_runs_of_readings_the_re_run_alone_is_compared() -> None:
+def test_where_other_readings_were_tried_the_re_run_alone_is_compared() -> None:
     turned, plain = results(("depends", None)), results(("contradicted", "lower"))
     (finding,) = turned["papers"][0]["findings"]
     finding |= {"as_run": "contradicted", "as_run_side": "lower"}
@@ -79,3 +79,16 @@ def test_without_runs_of_readings_the_re_run_alone_is_compared() -> None:
     (other,) = plain["papers"][0]["findings"]
     other["readings"] = finding["readings"]
     assert [flip.first for flip in compare(turned, plain).flips] == ["depends"]
+
+
+def test_number_that_depends_is_neither_held_nor_contradicted() -> None:
+    turned, plain = results(("depends", None)), results(("consistent", None))
+    (finding,) = turned["papers"][0]["findings"]
+    finding |= {"as_run": "contradicted", "as_run_side": "lower"}
+    finding["readings"] = [{"reading": "wider", "repeats": 10}]
+
+    (flip,) = compare(turned, plain).flips
+
+    assert (flip.first, flip.second) == ("contradicted, lower", "consistent")
+    assert (flip.depends, flip.opposite) == (True, False)
+    assert compare(turned, plain).as_json()["depending"] == 1
