@@ -257,6 +257,7 @@ def test_index_says_what_another_master_seed_changes(pages: dict[str, str]) -> N
         "repeats": [2, 2],
         "same": 8,
         "opposite": 0,
+        "depending": 1,
         "changes": {"consistent → undecided": 1},
         "flips": [],
     }
