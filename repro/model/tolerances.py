@@ -1,5 +1,6 @@
 """How far from a printed number a measured one may lie: the band accepted beforehand."""
 
+import math
 from dataclasses import dataclass, replace
 from typing import Protocol, Self
 
@@ -9,7 +10,6 @@ from repro.tables.true_numbers import ZERO_FITNESS, ZERO_STD
 
 Interval = tuple[float, float]
 STEPS = 10  # of double arithmetic that count as none: sums of 30 terms round by a few
-WHOLE = 0.5  # the rounding of a print without decimals
 
 
 class Tolerance(Protocol):
@@ -110,8 +110,7 @@ class FromMinimum:
     Below `solved` the distance counts by decades: the CEC competitions count it as 0 (J. J. Liang
     et al., Technical Report 201311, Zhengzhou University, 2013). Values that lie ten steps of
     double arithmetic apart are the same: near its minimum a function can take none between. A 0
-    means what doubles cannot hold, or square; another minimum that is printed without decimals
-    means below `solved`.
+    means what doubles cannot hold, or square; another minimum means what rounds to it.
     """
 
     percent: float = 25.0
@@ -133,17 +132,12 @@ class FromMinimum:
             zero=ZERO_STD if spread else ZERO_FITNESS,
         )
 
-    def is_bare_minimum(self, printed: Printed) -> bool:
-        """Return whether a print is a 0, or another minimum without decimals."""
-        bare = self.minimum == 0 or printed.rounding >= WHOLE
-        return bare and printed.value == self.minimum
-
     def band(self, printed: Printed) -> Interval:
         """Return the accepted band in the printed unit."""
         distance, steps = printed.value - self.minimum, STEPS * self.step
-        if self.is_bare_minimum(printed):
-            least = self.zero if self.minimum == 0 else self.solved
-            return self.minimum - steps, self.minimum + max(steps, least)
+        if distance == 0:
+            slack = printed.rounding + steps if self.minimum else max(steps, self.zero)
+            return self.minimum - (slack if self.minimum else steps), self.minimum + slack
         if abs(distance) >= self.solved:
             slack = abs(distance) * self.percent / 100 + printed.rounding + steps
             return printed.value - slack, printed.value + slack
@@ -163,12 +157,12 @@ class FromMinimum:
 
 
 def rounded(printed: Printed, accepted: Tolerance) -> Interval:
-    """Return the number with its rounding; of a bare minimum, as 0, what its tolerance says.
+    """Return the number with its rounding; of a cost that is 0, what its tolerance says.
 
     A 0 without decimals is no number between -0.5 and 0.5.
     """
-    bare = isinstance(accepted, FromMinimum) and accepted.is_bare_minimum(printed)
-    if bare or (isinstance(accepted, Fitness) and printed.value == 0):
+    least = isinstance(accepted, FromMinimum) and accepted.minimum == 0
+    if printed.value == 0 and (least or isinstance(accepted, Fitness)):
         return accepted.band(printed)
     return printed.value - printed.rounding, printed.value + printed.rounding
 
@@ -187,6 +181,8 @@ class Between:
     @property
     def words(self) -> str:
         """The tolerance as a phrase."""
+        if math.isinf(self.low) and math.isinf(self.high):
+            return "nothing is measured"
         if self.low == self.high:
             return f"exactly {self.low:g}"
         return f"between {self.low:g} and {self.high:g}"

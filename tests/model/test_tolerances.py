@@ -127,6 +127,14 @@ def test_solved_distances_count_by_decades() -> None:
     assert sphere.band(Printed("2.00E-08")) == pytest.approx((1.495e-8, 2.505e-8))
 
 
+def test_minimum_that_is_printed_is_as_good_as_its_rounding() -> None:
+    goldstein_price = FUNCTIONS["goldstein_price"].problem()
+    tolerance = FromMinimum(percent=25).on(goldstein_price, "mean")
+
+    assert tolerance.band(Printed("3")) == pytest.approx((2.5, 3.5))
+    assert tolerance.band(Printed("3.000")) == pytest.approx((2.9995, 3.0005))
+
+
 def test_standard_deviation_counts_from_zero_whatever_the_minimum() -> None:
     assert FromMinimum(percent=25).on(HARTMANN, "std").minimum == 0.0
     assert FromMinimum(percent=25).on(HARTMANN, "mean").minimum == HARTMANN.minimum
@@ -136,13 +144,15 @@ def test_standard_deviation_counts_from_zero_whatever_the_minimum() -> None:
     ("tolerance", "text", "widest"),
     [
         (FromMinimum(percent=25), "0", 1e-300),
-        (FromMinimum(percent=25).on(FUNCTIONS["goldstein_price"].problem(), "mean"), "3", 1e-7),
         (Fitness(decades=1, near_zero=0.01, percent=25), "0", 1e-300),
+        (FromMinimum(percent=25).on(FUNCTIONS["goldstein_price"].problem(), "mean"), "3", 1.0),
         (FromMinimum(percent=25), "2", 1.0),
         (Percent(25), "0", 1.0),
     ],
 )
-def test_bare_minimum_is_no_rounded_number(tolerance: Tolerance, text: str, widest: float) -> None:
+def test_bare_zero_of_a_cost_is_no_rounded_number(
+    tolerance: Tolerance, text: str, widest: float
+) -> None:
     low, high = rounded(Printed(text), tolerance)
 
     assert 0.0 <= high - low <= widest
