@@ -97,7 +97,7 @@ PAPER = Paper(
                 statistic="mean",
                 quantity="total",
             ),
-            accepted=Absolute(0.05),
+            accepted=Absolute(0.3),
         ),
         Sentence(
             claim="the simulator shows 3 s",

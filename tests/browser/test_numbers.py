@@ -28,7 +28,7 @@ def test_the_pointer_opens_the_evidence_of_a_number_and_leaving_closes_it(visit:
         "printed\n1.2×10",
         "accepted",
         "95 % prediction interval by 2000 tables that may come next, from 2 repeats",
-        "of 2000 tables that may come next",
+        "quantile",
         "⚑ impossible",
         "no number of runs allows that",
         "doe2021-table-2.csv, line 5",
