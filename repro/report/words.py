@@ -19,7 +19,7 @@ SYMBOLS = {
     Verdict.NOT_RUN: "○",
 }
 MEANINGS = {
-    Verdict.REPRODUCED: "whatever a table of such runs shows, it is within the tolerance",
+    Verdict.REPRODUCED: "95 of 100 tables of such runs, or more, lie within the tolerance",
     Verdict.CONSISTENT: "a table of such runs gives this number, but others outside the tolerance, "
     "too, so the number could be off by as much and would not be found out",
     Verdict.UNDECIDED: "a table of such runs hardly gives this number, but may give one within the "

@@ -39,7 +39,7 @@ class Truthful:
         cells = f"{self.cells} cell{'s' if self.cells != 1 else ''}"
         return (
             f"A paper that prints our own tables would get about {would} of these {cells} that "
-            f"print a best, worst, mean or std. This one has {have}."
+            f"print a best, worst, mean or std of costs. By the re-run alone this one has {have}."
         )
 
 
@@ -49,10 +49,11 @@ def truthful(judgement: Judgement, rows: Sequence[Row]) -> Truthful | None:
     `rows` are those of the calibration.
     """
     statistics = [
-        (claim.measure.statistic, finding.verdict)
+        (claim.measure.statistic, finding.as_run or finding.verdict)
         for claim, finding in zip(judgement.paper.said, judgement.findings, strict=True)
         if isinstance(claim, CellClaim)
         and isinstance(claim.measure, Statistic)
+        and claim.measure.quantity == "cost"  # the calibration is of costs
         and finding.verdict not in NOT_JUDGED
     ]
     depths = [row["repeats"] for row in rows if row["repeats"] <= judgement.repeats]
