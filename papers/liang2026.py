@@ -109,7 +109,8 @@ DH = dh_rows(
     a=TABLE_III.column("a_{i-1}"), alpha=TABLE_III.column("α_{i-1}"), d=TABLE_III.column("d_i")
 )
 
-# Declared before any run: a table of 30 heavy-tailed runs moves by decades from one batch to the
+# One rule for all papers, set when earlier runs were known and by no number: a table of 30
+# heavy-tailed runs moves by decades from one batch to the
 # next where the minimum is all but reached, and by less than a quarter of its way elsewhere.
 FITNESS = FromMinimum(percent=25)
 # Four decimals of a radian in five joints, 3.5 m from the base, move the tool by 0.9 mm at most.

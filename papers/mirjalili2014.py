@@ -70,7 +70,7 @@ LEFT = {
     **dict.fromkeys(TABLE_8.row_names, COMPOSITE),
     **dict.fromkeys(("DE", "FEP", "CMA-ES"), QUOTED),
 }
-# Declared before any run: costs count by their distance from the least one, which is known.
+# Declared before any run of this paper: costs count by their distance from the least one.
 WITHIN = FromMinimum(percent=25)
 
 

@@ -65,7 +65,7 @@ LEFT = {
     **{row: TEXT.gap("composite") for row in TABLE_7.row_names},
     **dict.fromkeys((*OTHERS, "CMA-ES"), QUOTED),
 }
-# Declared before any run: costs count by their distance from the least one, which is known.
+# Declared before any run of this paper: costs count by their distance from the least one.
 WITHIN = FromMinimum(percent=25)
 
 

@@ -274,7 +274,8 @@ POLYNOMIAL_CLAIMS = (
     *not_counted(BY_DEFINITION), *not_counted(THE_ARM),
 )  # fmt: skip
 
-# What the text says of WOA and GA, with readings declared before any run.
+# What the text says of WOA and GA, with readings declared before any run, but
+# for the global optimum: the median in the place of the best run, when runs were known.
 RESOLUTION = 0.001  # rad: the last digit in which most angles of Eqs. (10) and (11) are printed
 FOLLOWED = Between(0, 0.01 * math.dist(START, END))  # 1 % of the way that the joints go together
 BOTH = ("WOA", "GA")

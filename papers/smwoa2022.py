@@ -177,7 +177,8 @@ AS_SAID = f"{AFTER.text} s"  # what Table 6 and the text count once
 SECTION_3_3, SAVING = BENCHMARK.where, "abstract and section 4.3"
 FIG_3, FIG_4 = "section 4.3, Fig. 3", "section 4.3, Fig. 4"
 
-# Declared before any run: a table of 30 heavy-tailed runs moves by decades from one batch to the
+# One rule for all papers, set when earlier runs were known and by no number: a table of 30
+# heavy-tailed runs moves by decades from one batch to the
 # next where the minimum is all but reached, and by less than a quarter of its way elsewhere.
 FITNESS = FromMinimum(percent=25)
 # A p-value of rank sums moves by decades from one table of 30 runs to the next.
