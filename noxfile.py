@@ -21,6 +21,7 @@ TESTING = {**ONE_THREAD, "PYTHONDONTWRITEBYTECODE": ""}
 LOCKS = {
     "run": [],
     "test": ["test"],
+    "docs": ["docs", "test"],
     "lint": ["lint"],
     "types": ["types"],
     "cluster": ["cluster", "test"],
