@@ -18,6 +18,8 @@ nox.options.reuse_venv = "yes"
 ONE_THREAD = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
 # tests start many processes, which load faster what is compiled once
 TESTING = {**ONE_THREAD, "PYTHONDONTWRITEBYTECODE": ""}
+# a file's tests share what they make once; numbers of a machine under load are no benchmarks
+SPREAD = ("-n", "auto", "--dist", "loadfile", "--benchmark-disable")
 LOCKS = {
     "run": [],
     "test": ["test"],
@@ -97,7 +99,8 @@ def again(session: nox.Session) -> None:
 def tests(session: nox.Session) -> None:
     """Run the tests, a full-size re-run of the papers' protocols among them."""
     _install(session, "test")
-    session.run("pytest", "-m", "not browser and not cluster", *session.posargs, env=TESTING)
+    kinds = ("-m", "not browser and not cluster")
+    session.run("pytest", *kinds, *SPREAD, *session.posargs, env=TESTING)
 
 
 @nox.session
