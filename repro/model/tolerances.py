@@ -77,7 +77,10 @@ class RoundedOrCut:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Fitness:
-    """Near zero within decades, elsewhere within a share; a printed 0 means below `zero`."""
+    """Near zero within decades, elsewhere within a share; a printed 0 means below `zero`.
+
+    What is printed below `zero` is the same as 0, and by decades what it says itself.
+    """
 
     decades: float
     near_zero: float
@@ -92,7 +95,11 @@ class Fitness:
             return Percent(self.percent).band(printed)
         factor = 10.0**self.decades
         low, high = printed.value - printed.rounding, printed.value + printed.rounding
-        return (low / factor, high * factor) if printed.value > 0 else (low * factor, high / factor)
+        if printed.value < 0:
+            low, high = low * factor, high / factor
+            return (min(low, -self.zero), 0.0) if -printed.value <= self.zero else (low, high)
+        low, high = low / factor, high * factor
+        return (0.0, max(high, self.zero)) if printed.value <= self.zero else (low, high)
 
     @property
     def words(self) -> str:
@@ -110,7 +117,8 @@ class FromMinimum:
     Below `solved` the distance counts by decades: the CEC competitions count it as 0 (J. J. Liang
     et al., Technical Report 201311, Zhengzhou University, 2013). Values that lie ten steps of
     double arithmetic apart are the same: near its minimum a function can take none between. A 0
-    means what doubles cannot hold, or square; another minimum means what rounds to it.
+    means what doubles cannot hold, or square, and the other way round; another minimum means what
+    rounds to it.
     """
 
     percent: float = 25.0
@@ -144,6 +152,8 @@ class FromMinimum:
         factor = 10.0**self.decades
         near = max(distance - printed.rounding, 0.0) / factor
         far = (max(distance, 0.0) + printed.rounding) * factor
+        if self.minimum == 0 and abs(distance) <= self.zero:
+            return -steps, max(far + steps, self.zero)
         return self.minimum + near - steps, self.minimum + far + steps
 
     @property
@@ -159,12 +169,17 @@ class FromMinimum:
 def rounded(printed: Printed, accepted: Tolerance) -> Interval:
     """Return the number with its rounding; of a cost that is 0, what its tolerance says.
 
-    A 0 without decimals is no number between -0.5 and 0.5.
+    A 0 without decimals is no number between -0.5 and 0.5. What doubles cannot hold is one too.
     """
-    least = isinstance(accepted, FromMinimum) and accepted.minimum == 0
-    if printed.value == 0 and (least or isinstance(accepted, Fitness)):
-        return accepted.band(printed)
-    return printed.value - printed.rounding, printed.value + printed.rounding
+    low, high = printed.value - printed.rounding, printed.value + printed.rounding
+    minimum = accepted.minimum if isinstance(accepted, FromMinimum) else 0.0
+    if isinstance(accepted, Fitness | FromMinimum) and minimum == 0:
+        if printed.value == 0:
+            return accepted.band(printed)
+        if abs(printed.value) <= accepted.zero:
+            nothing = accepted.band(Printed("0"))
+            return min(low, nothing[0]), max(high, nothing[1])
+    return low, high
 
 
 @dataclass(frozen=True, slots=True)

@@ -70,6 +70,54 @@ def test_printed_zero_accepts_what_double_arithmetic_rounds_to_it() -> None:
     assert spread.band(Printed("0.00×10^0")) == (0.0, ZERO_STD)
 
 
+ON_SPHERE = FromMinimum().on(FUNCTIONS["sphere"].problem(30), "mean")
+SPREAD_ON_SPHERE = FromMinimum().on(FUNCTIONS["sphere"].problem(30), "std")
+ON_ACKLEY = FromMinimum().on(FUNCTIONS["ackley"].problem(30), "mean")
+SPREAD = Fitness(decades=1, near_zero=0.01, percent=25, zero=ZERO_STD)
+NEAR_ZERO = [FITNESS, SPREAD, ON_SPHERE, SPREAD_ON_SPHERE, ON_ACKLEY]
+
+
+@pytest.mark.parametrize("tolerance", NEAR_ZERO)
+@given(st.floats(0, 15), st.floats(0, 15))
+def test_print_and_rerun_near_underflow_may_change_places(
+    tolerance: Fitness | FromMinimum, first: float, second: float
+) -> None:
+    one, other = (f"{tolerance.zero * 10**-power:.17g}" for power in (first, second))
+
+    for printed, measured in ((one, other), (one, "0"), ("0", one)):
+        low, high = tolerance.band(Printed(printed))
+        assert low <= float(measured) <= high
+
+
+@pytest.mark.parametrize("tolerance", NEAR_ZERO)
+@given(st.floats(-323, -100))
+def test_zero_is_held_in_both_directions_or_in_none(
+    tolerance: Fitness | FromMinimum, power: float
+) -> None:
+    tiny = 10**power
+
+    low, high = tolerance.band(Printed(f"{tiny:.17g}"))
+
+    assert (low <= 0.0 <= high) == (tiny <= tolerance.band(Printed("0"))[1])
+
+
+@pytest.mark.parametrize("tolerance", NEAR_ZERO)
+def test_tiny_print_stands_for_all_that_a_printed_zero_stands_for(
+    tolerance: Fitness | FromMinimum,
+) -> None:
+    low, high = rounded(Printed("4.90e-322"), tolerance)
+
+    zero = rounded(Printed("0"), tolerance)
+    assert low <= zero[0]
+    assert high >= zero[1]
+
+
+def test_bands_of_numbers_that_doubles_hold_are_as_they_were() -> None:
+    assert ON_SPHERE.band(Printed("3.00e-308"))[0] > 0.0
+    assert FITNESS.band(Printed("3.00e-308")) == pytest.approx((2.995e-309, 3.005e-307), rel=1e-9)
+    assert rounded(Printed("3.00e-308"), FITNESS)[0] > 2.9e-308
+
+
 def test_zeros_are_the_limits_of_double_arithmetic() -> None:
     assert sys.float_info.min == ZERO_FITNESS
     assert math.sqrt(math.ulp(0.0)) == ZERO_STD
