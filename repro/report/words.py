@@ -60,8 +60,7 @@ def number(value: float | None, digits: int = 4) -> str:
 
 def digits_for(printed: Printed) -> int:
     """Return one significant digit more than is printed, and at least four."""
-    mantissa = re.split(r"[×xeE]", printed.text)[0]
-    return max(4, len(re.sub(r"\D", "", mantissa).lstrip("0")) + 1)
+    return max(4, len(re.sub(r"\D", "", printed.mantissa).lstrip("0")) + 1)
 
 
 def interval(pair: tuple[float, float] | None, digits: int = 4) -> str:

@@ -88,20 +88,21 @@ def statistic_span(
 
 def is_bare_zero(printed: Printed, *, scientific: bool) -> bool:
     """Say whether a 0 has neither decimals nor a power of ten, in a table that has powers."""
-    marks = "." in printed.text or is_scientific_number(printed)
+    marks = "." in printed.mantissa or is_scientific_number(printed)
     return scientific and printed.value == 0 and not marks
 
 
 def rounded_at(printed: Printed, digits: int) -> Fraction | None:
     """Return the unit that a whole number may be rounded to; None where it ends in no 0 beyond."""
-    match = _WHOLE.fullmatch(printed.text.replace("−", "-").strip())
-    if match is None or len(match[1]) <= digits or match[1][digits:].strip("0"):
+    match = _WHOLE.fullmatch(printed.mantissa)
+    if match is None or printed.power is not None:
+        return None
+    if len(match[1]) <= digits or match[1][digits:].strip("0"):
         return None
     return Fraction(10 ** (len(match[1]) - digits))
 
 
 def significant(printed: Printed) -> int:
     """Return how many digits are sure to be printed: zeros at the end of a whole number are not."""
-    mantissa = re.split("[×xeE]", printed.text.replace("−", "-").strip())[0]
-    digits = mantissa.lstrip("+-").replace(".", "").lstrip("0")
-    return len(digits if "." in mantissa else digits.rstrip("0"))
+    digits = printed.mantissa.lstrip("+-").replace(".", "").lstrip("0")
+    return len(digits if "." in printed.mantissa else digits.rstrip("0"))

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from itertools import combinations
 
+from repro.tables.markup import plain
 from repro.tables.published import Printed
 
 DIGITS = "0123456789"
@@ -21,9 +22,9 @@ class Slip:
 
 def slips(printed: Printed) -> Iterator[Slip]:
     """Yield every number that one slip turns into the printed one, each once."""
-    body = printed.text.replace("−", "-").strip()
-    power = min((body.find(mark) for mark in "×xeE" if mark in body), default=len(body))
-    mantissa, rest = body[:power], body[power:]
+    body, mantissa = plain(printed.text), printed.mantissa
+    power = "" if printed.power is None else f"e{printed.power}"
+    rest = body.removeprefix(mantissa) if body.startswith(mantissa) else power
     seen = {mantissa}
     for text, words in (
         *_changed(mantissa),

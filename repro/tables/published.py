@@ -7,35 +7,16 @@ from dataclasses import dataclass
 from typing import Self
 
 from repro.errors import DeclarationError
+from repro.tables.numbers import NoNumber, NumberForm, number_form
+from repro.tables.units import UNITS, is_same_unit, known_unit
 
-# Factors from the printed unit to SI. Percent stays percent: it is compared with percent.
-UNITS = {
-    "": 1.0,
-    "%": 1.0,
-    "rank": 1.0,
-    "s": 1.0,
-    "m": 1.0,
-    "mm": 1e-3,
-    "rad": 1.0,
-    "rad/s": 1.0,
-    "rad/s^2": 1.0,
-    "rad/s^3": 1.0,
-    "deg": math.pi / 180,
-    "deg/s": math.pi / 180,
-    "deg/s^2": math.pi / 180,
-    "deg/s^3": math.pi / 180,
-}
+__all__ = ["NOTHING", "UNITS", "WORDS", "Column", "Printed", "PublishedTable"]
+
 WORDS = "text"
 NOTHING = "–"  # how a declaration writes a cell or row heading that is empty on the page
 
-_LONGEST = 60  # characters of a printed number
+_SHOWN = 60  # characters of a text in a message
 
-_DECIMAL = re.compile(
-    r"(?P<digits>[-+]?\d+(?:\.(?P<decimals>\d+))?)"
-    r"(?:\s*[×x]\s*10(?:\^(?P<power>[-+]?\d+))?|[eE](?P<e>[-+]?\d+))?"
-    r"(?:/[-+=])?"
-)
-_PI = re.compile(r"(?P<sign>-?)(?P<times>\d*)π(?:/(?P<over>[1-9]\d*))?")
 _HEADING = re.compile(r"(?P<name>[^\[\]]+?)\s*(?:\[(?P<unit>[^\]]*)\])?")
 
 
@@ -43,7 +24,7 @@ _HEADING = re.compile(r"(?P<name>[^\[\]]+?)\s*(?:\[(?P<unit>[^\]]*)\])?")
 class Printed:
     """A number as it stands on the page: the text is the datum, the value follows from it.
 
-    A mark of significance may follow it after a slash, as in "0.002/+".
+    A mark of significance may follow it, as in "0.002/+", and a unit, which is then the number's.
     """
 
     text: str
@@ -53,47 +34,56 @@ class Printed:
         """Raise DeclarationError for an unknown unit or a text that is no number."""
         if self.unit not in UNITS:
             raise DeclarationError(_unknown_unit(self.text, self.unit))
-        known = _DECIMAL.fullmatch(self._plain) or _PI.fullmatch(self._plain)
-        if len(self.text) > _LONGEST or not known:
-            message = f"{self.text[:_LONGEST]!r} is not a number"
+        form = number_form(self.text)
+        if isinstance(form, NoNumber):
+            because = f": {form.because}" if form.because else ""
+            message = f"{self.text[:_SHOWN]!r} is not a number{because}"
             raise DeclarationError(message)
-        if not math.isfinite(self.value):
+        if not math.isfinite(form.value):
             message = f"{self.text!r} is greater than any double"
             raise DeclarationError(message)
-
-    @property
-    def _plain(self) -> str:
-        return self.text.replace("−", "-").strip()
+        if form.unit and not self.unit:
+            object.__setattr__(self, "unit", form.unit)
+        elif form.unit and not is_same_unit(form.unit, self.unit):
+            message = f"{self.text!r} is in {form.unit}, but its place says {self.unit}"
+            raise DeclarationError(message)
 
     @property
     def value(self) -> float:
         """Value in the printed unit."""
-        if match := _PI.fullmatch(self._plain):
-            size = math.pi * int(match["times"] or 1) / int(match["over"] or 1)
-            return -size if match["sign"] else size
-        digits, power = self._parts()
-        return float(f"{digits}e{power}")
+        return self._form.value
 
     @property
     def rounding(self) -> float:
-        """Half a unit of the last printed digit, in the printed unit; 0 for multiples of π."""
-        if _PI.fullmatch(self._plain):
-            return 0.0
-        digits, power = self._parts()
-        decimals = len(digits.partition(".")[2])
-        return 0.5 * float(f"1e{power - decimals}")
+        """Half a unit of the last printed digit, in the printed unit; 0 for π/2 and for 4/30."""
+        return self._form.rounding
+
+    @property
+    def mantissa(self) -> str:
+        """Digits with sign and point, without the power of ten; empty for π/2 and for 4/30."""
+        return self._form.mantissa
+
+    @property
+    def power(self) -> int | None:
+        """Power of ten that is printed; None where there is none."""
+        return self._form.power
+
+    @property
+    def mark(self) -> str:
+        """What stands behind the number, such as "/+" or "†"; it says nothing of the value."""
+        return self._form.mark
 
     @property
     def si(self) -> float:
         """Value in SI units."""
         return self.value * UNITS[self.unit]
 
-    def _parts(self) -> tuple[str, int]:
-        match = _DECIMAL.fullmatch(self._plain)
-        if match is None:  # excluded when the number was made
+    @property
+    def _form(self) -> NumberForm:
+        form = number_form(self.text)
+        if isinstance(form, NoNumber):  # excluded when the number was made
             raise DeclarationError(self.text)
-        scientific = "×" in self._plain or "x" in self._plain
-        return match["digits"], int(match["power"] or match["e"] or (1 if scientific else 0))
+        return form
 
 
 @dataclass(frozen=True, slots=True)
@@ -222,9 +212,10 @@ def _column(label: str, title: str) -> Column:
         message = f"{label}: heading {title!r} is not 'name' or 'name [unit]'"
         raise DeclarationError(message)
     unit = match["unit"] or ""
-    if unit not in UNITS and unit != WORDS:
+    known = unit if unit == WORDS else known_unit(unit)
+    if known is None:
         raise DeclarationError(_unknown_unit(f"{label}, heading {title!r}", unit))
-    return Column(match["name"], unit)
+    return Column(match["name"], known)
 
 
 def _read_row(

@@ -9,7 +9,7 @@ from repro.tables.blocks import Block
 from repro.tables.published import Printed
 from repro.tables.relations import TableCell
 from repro.tables.rows import AuditRow, Grade, audit_row
-from repro.tables.true_numbers import shown
+from repro.tables.true_numbers import is_scientific_number, shown
 
 DIGITS = 4  # significant digits from which an equal number is worth a note
 DIGITS_WITH_POWER = 3  # as above, where a power of ten agrees too
@@ -45,20 +45,13 @@ def _pairs(entries: Sequence[Entry]) -> int:
 
 def digits(printed: Printed) -> str:
     """Return the significant digits without sign, point and power of ten."""
-    return _mantissa(printed).lstrip("+-").replace(".", "").lstrip("0")
-
-
-def _mantissa(printed: Printed) -> str:
-    text = printed.text.replace("−", "-")
-    for mark in "×xeE":
-        text = text.partition(mark)[0]
-    return text.strip()
+    return printed.mantissa.lstrip("+-").replace(".", "").lstrip("0")
 
 
 def _stands(block: Block, name: str) -> bool:
     """Say whether the number is long enough to be telling, and not one that the function fixes."""
     printed = block.printed(name)
-    scientific = any(mark in printed.text for mark in "×xeE")
+    scientific = is_scientific_number(printed)
     if len(digits(printed)) < (DIGITS_WITH_POWER if scientific else DIGITS):
         return False
     fixed = block.function.fixed if block.function else ()
@@ -92,7 +85,7 @@ def _equal_digits(paper: str, blocks: Sequence[Block]) -> Iterator[AuditRow]:
     for (_, names, _), same in seen.items():
         values = {tuple(block.printed(name).value for name in names) for block in same}
         if len(same) > 1 and len(values) > 1:
-            shown_digits = " and ".join(_mantissa(same[0].printed(name)) for name in names)
+            shown_digits = " and ".join(same[0].printed(name).mantissa for name in names)
             places = "; ".join(f"{block.algorithm} on {block.problem_name}" for block in same)
             yield audit_row(
                 paper,

@@ -72,7 +72,7 @@ def is_scientific(table: PublishedTable) -> bool:
 
 def is_scientific_number(printed: Printed) -> bool:
     """Say whether a number is printed with a power of ten."""
-    return any(mark in printed.text for mark in "×xeE")
+    return printed.power is not None
 
 
 def root(number: Fraction) -> Decimal:

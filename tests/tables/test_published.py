@@ -37,6 +37,8 @@ TIMES = """
         ("π", math.pi, 0.0),
         ("-π/2", -math.pi / 2, 0.0),
         ("−3π/4", -3 * math.pi / 4, 0.0),
+        ("4/30", 4 / 30, 0.0),
+        ("1,234.5", 1234.5, 0.05),
     ],
 )
 def test_printed_text_gives_value_and_half_of_its_last_digit(
@@ -71,7 +73,22 @@ def test_number_that_was_printed_lies_within_the_rounding(
 
 @pytest.mark.parametrize(
     "text",
-    ["3,26", "", "N/A", "nan", "inf", "1.2.3", "1e", "--1", "1 2", "10^", "π/0", "1.5π", "0.5 s"],
+    [
+        "3,26",
+        "",
+        "N/A",
+        "nan",
+        "inf",
+        "1.2.3",
+        "1e",
+        "--1",
+        "1 2",
+        "10^",
+        "π/0",
+        "1.5π",
+        "0.5 q",
+        "0,123",
+    ],
 )
 def test_text_that_is_no_number_is_refused(text: str) -> None:
     with pytest.raises(DeclarationError, match="is not a number"):
@@ -84,8 +101,8 @@ def test_fault_in_a_cell_is_named_with_table_and_row() -> None:
 
 
 def test_unknown_unit_is_named_with_the_known_ones() -> None:
-    with pytest.raises(DeclarationError, match=r"Table VI, heading 't1 \[min\]'.*'min'") as error:
-        PublishedTable.read(TIMES.replace("t1 [s]", "t1 [min]"))
+    with pytest.raises(DeclarationError, match=r"Table VI, heading 't1 \[mile\]'.*'mile'") as error:
+        PublishedTable.read(TIMES.replace("t1 [s]", "t1 [mile]"))
 
     assert all(unit in str(error.value) for unit in UNITS)
 
@@ -225,3 +242,16 @@ def test_what_is_drawn_is_read_cell_by_cell(rows: list[list[str]]) -> None:
     read = [table[place].text for place in table.places()]
     assert read == [text for row in rows for text in row]
     assert [list(row) for row in table.points()] == [[float(text) for text in r] for r in rows]
+
+
+def test_unit_behind_a_number_is_the_numbers() -> None:
+    assert Printed("90°").si == pytest.approx(math.pi / 2)
+    assert Printed("98%") == Printed("98%", "%")
+    assert Printed("90°", "deg").unit == "deg"
+    with pytest.raises(DeclarationError, match=r"^'90°' is in °, but its place says rad$"):
+        Printed("90°", "rad")
+
+
+def test_lost_sign_of_an_exponent_is_said() -> None:
+    with pytest.raises(DeclarationError, match=r"sign was lost in copying: 10111 .* or 10\^-11$"):
+        Printed("2.51×10111")
