@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from repro.tables.arithmetic import DIGITS, NARROWEST, Arithmetic, significant, statistic_span
 from repro.tables.published import Printed
-from repro.tables.relations import TableCell
+from repro.tables.relations import Cell
 from repro.tables.true_numbers import Span
 
 
@@ -43,7 +43,7 @@ class Block:
     algorithm: str
     quantity: str
     n: int
-    cells: Mapping[str, TableCell]
+    cells: Mapping[str, Cell]
     scientific: bool
     function: FunctionBounds | None = None
     given: Arithmetic = NARROWEST

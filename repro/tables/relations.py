@@ -28,9 +28,29 @@ class TableCell:
         return self.table[self.row, self.column]
 
     @property
+    def label(self) -> str:
+        """The name of its table."""
+        return self.table.label
+
+    @property
     def where(self) -> str:
         """The place on the page, down to the cell."""
-        return f"{self.table.label}, {self.row}, {self.column}"
+        return f"{self.label}, {self.row}, {self.column}"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PlacedNumber:
+    """A number at a place of a table that was read from a file."""
+
+    printed: Printed
+    label: str
+    row: str
+    column: str
+
+    @property
+    def where(self) -> str:
+        """The place in the file, down to the cell."""
+        return f"{self.label}, {self.row}, {self.column}"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -41,7 +61,8 @@ class TextNumber:
     where: str
 
 
-Number = TableCell | TextNumber
+Cell = TableCell | PlacedNumber
+Number = Cell | TextNumber
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

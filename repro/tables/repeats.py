@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from repro.tables.blocks import Block
 from repro.tables.published import Printed
-from repro.tables.relations import TableCell
+from repro.tables.relations import Cell
 from repro.tables.rows import AuditRow, Grade, audit_row
 from repro.tables.true_numbers import is_scientific_number, shown
 
@@ -99,5 +99,5 @@ def _equal_digits(paper: str, blocks: Sequence[Block]) -> Iterator[AuditRow]:
             )
 
 
-def _cells(entries: Sequence[Entry]) -> tuple[TableCell, ...]:
+def _cells(entries: Sequence[Entry]) -> tuple[Cell, ...]:
     return tuple(block.cells[name] for block, name in entries)

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import TypedDict
 
-from repro.tables.relations import Number, TableCell
+from repro.tables.relations import Cell, Number, TextNumber
 
 
 class Grade(StrEnum):
@@ -59,8 +59,8 @@ def audit_row(
     condition: str | None = None,
 ) -> AuditRow:
     """Return the row that concerns `numbers`, filed under the first table among them."""
-    cells = [number for number in numbers if isinstance(number, TableCell)]
-    label = cells[0].table.label if cells else numbers[0].where
+    cells = [number for number in numbers if not isinstance(number, TextNumber)]
+    label = cells[0].label if cells else numbers[0].where
     places = tuple(_places(label, cells))
     alone = places[0] if len(places) == 1 else None
     return AuditRow(
@@ -76,7 +76,7 @@ def audit_row(
     )
 
 
-def _places(label: str, cells: Iterable[TableCell]) -> Iterable[CellPlace]:
+def _places(label: str, cells: Iterable[Cell]) -> Iterable[CellPlace]:
     return (
-        CellPlace(row=cell.row, column=cell.column) for cell in cells if cell.table.label == label
+        CellPlace(row=cell.row, column=cell.column) for cell in cells if cell.label == label
     )
