@@ -8,6 +8,7 @@ from repro.functions import FUNCTIONS, BenchmarkProblem
 from repro.model.claims import CellClaim
 from repro.model.measures.measure import Statistic
 from repro.model.paper import Paper
+from repro.statistics.named import is_count
 from repro.tables.blocks import Block, FunctionBounds
 from repro.tables.true_numbers import exact, is_scientific
 
@@ -98,7 +99,9 @@ def blocks(paper: Paper) -> tuple[Block, ...]:
     experiments = {experiment.name: experiment for experiment in paper.experiments}
     found: dict[tuple[str, ...], dict[str, CellClaim]] = {}
     for claim in paper.claims:
-        if isinstance(claim, CellClaim) and isinstance(claim.measure, Statistic):
+        if not isinstance(claim, CellClaim) or not isinstance(claim.measure, Statistic):
+            continue
+        if not is_count(claim.measure.statistic):  # a count of runs is no cost
             key = (claim.table.label, *claim.measure.cell, claim.measure.quantity)
             found.setdefault(key, {})[claim.measure.statistic] = claim
     return tuple(

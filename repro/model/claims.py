@@ -6,12 +6,13 @@ from dataclasses import dataclass, replace
 from typing import Literal, TypeVar
 
 from repro.errors import DeclarationError
+from repro.model.cell_measures import WORDS, is_printable, measure_of
 from repro.model.experiment import Experiment
 from repro.model.measures.measure import Measure, Rank, Statistic
 from repro.model.measures.ranks import Contest
 from repro.model.open_points import Gap
 from repro.model.tolerances import Between, FromMinimum, Tolerance
-from repro.statistics.summary import STATISTICS
+from repro.statistics.named import is_spread
 from repro.tables.published import Printed, PublishedTable
 from repro.tables.relations import TableCell
 
@@ -117,9 +118,10 @@ def every_cell(
     """Return a claim on the statistic that each cell prints.
 
     `rows` says what each row heading names, `columns` what the column heading names, `given` what
-    neither names, `names` translates a printed heading; `only` keeps some row names. A cell where
-    any of its names is in `without` is left to that gap. Raises DeclarationError where a heading
-    names nothing that the experiment has.
+    neither names, `names` translates a printed heading; `only` keeps some row names. A statistic
+    is a word of `repro.statistics.named` or of `cell_measures`; `std_within` is for all measures
+    of spread. A cell where any of its names is in `without` is left to that gap. Raises
+    DeclarationError where a heading names nothing that the experiment has.
     """
     if len(rows) != len(table.headings):
         message = f"{table.label} has the row headings {table.headings}, not one per {rows}"
@@ -133,22 +135,28 @@ def every_cell(
             for role, word in zip((*rows, columns), (*headings_of[row], column), strict=True):
                 words[role] = (names or {}).get(word, word)
             place = f"{table.label}, row {row!r}, column {column!r}"
-            measure = _statistic(place, of, words, left=tuple(left))
-            accepted = std_within if measure.statistic == "std" and std_within else within
-            claim = CellClaim(
-                table=table, row=row, column=column, measure=measure, accepted=accepted
-            )
+            own = _statistic(place, of, words, left=tuple(left))
             gap = next((left[word] for word in words.values() if word in left), None)
-            claims.append(_of_problem(claim, of.problems.get(measure.problem), measure, gap))
+            accepted = std_within if is_spread(own.statistic) and std_within else within
+            cell = TableCell(table=table, row=row, column=column)
+            claims.append(_measured_cell(cell, own, of, accepted=accepted, gap=gap))
     return tuple(claims)
 
 
-def _of_problem(
-    claim: CellClaim, problem: object, measure: Statistic, gap: Gap | None
+def _cell_claim(cell: TableCell, measure: Measure, accepted: Tolerance) -> CellClaim:
+    return CellClaim(
+        table=cell.table, row=cell.row, column=cell.column, measure=measure, accepted=accepted
+    )
+
+
+def _measured_cell(
+    cell: TableCell, own: Statistic, of: Experiment, *, accepted: Tolerance, gap: Gap | None
 ) -> CellClaim:
     """Return the claim with its tolerance set to the problem, and left to the gap, if any."""
-    if isinstance(claim.accepted, FromMinimum):
-        claim = replace(claim, accepted=claim.accepted.on(problem, measure.statistic))
+    measure = own if gap else measure_of(own, of)
+    if isinstance(accepted, FromMinimum) and isinstance(measure, Statistic):
+        accepted = accepted.on(of.problems.get(own.problem), own.statistic)
+    claim = _cell_claim(cell, measure, accepted)
     return replace(claim, gap=gap, group=gap.what) if gap else claim
 
 
@@ -194,9 +202,7 @@ def computed_cells(
 ) -> tuple[CellClaim, ...]:
     """Return a claim per cell, measured by what `measure` makes of its (row, column)."""
     return tuple(
-        CellClaim(
-            table=table, row=row, column=column, measure=measure(row, column), accepted=within
-        )
+        _cell_claim(TableCell(table=table, row=row, column=column), measure(row, column), within)
         for row, column in table.places()
         if only is None or row in only
     )
@@ -265,8 +271,9 @@ def _statistic(
     known: dict[Role, tuple[str, ...]] = {
         "problem": (*of.problems, *left),
         "algorithm": (*of.algorithms, *left),
-        "statistic": tuple(STATISTICS),
     }
+    if not is_printable(words.get("statistic", "")):
+        known["statistic"] = WORDS
     for role, names in known.items():
         if words.get(role) not in names:
             message = f"{place}: {role} {words.get(role)!r} is none of {', '.join(names)}"

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from typing import Protocol, Self
 
 from repro.functions import BenchmarkProblem
+from repro.statistics.named import is_count, is_spread
 from repro.tables.published import Printed
 from repro.tables.true_numbers import ZERO_FITNESS, ZERO_STD
 
@@ -132,12 +133,14 @@ class FromMinimum:
         """Return the tolerance for a statistic of the costs of a problem."""
         if not isinstance(problem, BenchmarkProblem):
             return self
-        spread = statistic == "std"
+        if is_count(statistic):
+            return replace(self, minimum=0.0, step=0.0)
+        rooted = statistic in ("std", "standard error")
         return replace(
             self,
-            minimum=0.0 if spread else problem.minimum,
-            step=problem.step,
-            zero=ZERO_STD if spread else ZERO_FITNESS,
+            minimum=0.0 if is_spread(statistic) else problem.minimum,
+            step=problem.step**2 if statistic == "variance" else problem.step,
+            zero=ZERO_STD if rooted else ZERO_FITNESS,
         )
 
     def band(self, printed: Printed) -> Interval:

@@ -205,3 +205,14 @@ def test_bare_zero_of_a_cost_is_no_rounded_number(
 
     assert 0.0 <= high - low <= widest
     assert high - low > widest / 1e10
+
+
+def test_share_of_successes_has_no_minimum_and_no_step() -> None:
+    on_hartmann = FromMinimum(percent=25).on(HARTMANN, "success rate at -3.86")
+
+    assert (on_hartmann.minimum, on_hartmann.step) == (0.0, 0.0)
+
+
+@pytest.mark.parametrize("word", ["std", "standard error", "variance", "iqr by hazen"])
+def test_every_measure_of_spread_counts_from_zero(word: str) -> None:
+    assert FromMinimum(percent=25).on(HARTMANN, word).minimum == 0.0

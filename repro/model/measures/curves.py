@@ -17,10 +17,10 @@ from numpy.typing import NDArray
 
 from repro.determinism.seeds import generator
 from repro.model.evidence import Cell, Evidence
-from repro.model.measures.measure import EXTREMES, TABLES, Measure, Measured, place_among
+from repro.model.measures.measure import TABLES, Measure, Measured, place_among
 from repro.robotics.path_fitting import PathFitting
 from repro.robotics.polynomial_curves import values
-from repro.statistics.summary import STATISTICS
+from repro.statistics.named import is_of_extremes, statistic_named
 from repro.statistics.tables import half_equal, predicted
 
 Vector = NDArray[np.float64]
@@ -35,20 +35,9 @@ _COMBINED: Mapping[Combination, Callable[[Vector], Vector]] = MappingProxyType(
 )
 
 
-def median(costs: Vector) -> Vector:
-    """Return the median along the last axis; infinite values count as the greatest."""
-    return np.asarray(np.median(costs, axis=-1))
-
-
 def lower_median(costs: Vector) -> Vector:
     """Return the least value that half of them do not exceed, which is one of them."""
     return np.asarray(np.quantile(costs, 0.5, axis=-1, method="lower"))
-
-
-SUMMARIES: Mapping[str, Callable[[Vector], Vector]] = MappingProxyType(
-    {**STATISTICS, "median": median, "lower median": lower_median}
-)
-"""The statistics that tables print, and the medians."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -112,8 +101,7 @@ class PlaceAmong:
 
     def measure(self, evidence: Evidence) -> Measured:
         """Return the place in the first repeat and in tables that may come next."""
-        others = [measure.measure(evidence) for measure in self.others]
-        return place_among(self.of.measure(evidence), others)
+        return place_among([part.measure(evidence) for part in (self.of, *self.others)], 0)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -244,10 +232,10 @@ def _summarised(
 ) -> Measured:
     """Return the statistic of a table (repeats, runs) and of tables that may come next."""
     rng = generator("tables", evidence.key, experiment, algorithm)
-    summary = SUMMARIES[statistic]
+    summary = lower_median if statistic == "lower median" else statistic_named(statistic)
     return Measured(
         value=float(summary(table[0])),
         draws=predicted(table, summary, tables=TABLES, rng=rng),
         repeats=len(table),
-        thin=statistic in EXTREMES or half_equal(table),
+        thin=is_of_extremes(statistic, table.shape[-1]) or half_equal(table),
     )

@@ -12,13 +12,14 @@ from repro.determinism.seeds import generator
 from repro.errors import DeclarationError
 from repro.model.evidence import Cell, Evidence
 from repro.model.experiment import Experiment
+from repro.statistics.named import is_of_extremes, statistic_named
+from repro.statistics.places import Ties, place
 from repro.statistics.summary import STATISTICS
 from repro.statistics.tables import half_equal, next_tables
 
 Vector = NDArray[np.float64]
 TABLES = 2000  # tables per statistic: its 2.5 % tail then holds 50 of them
 ALL = "all statistics"
-EXTREMES = frozenset({"best", "worst"})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -41,13 +42,13 @@ def fewest_repeats(*parts: Measured) -> int:
     return min((part.repeats for part in parts if part.repeats), default=0)
 
 
-def place_among(own: Measured, others: Sequence[Measured]) -> Measured:
-    """Return the place of one among others, 1 for the lowest; ties share the lower place."""
+def place_among(all_of_them: Sequence[Measured], own: int, ties: Ties = "min") -> Measured:
+    """Return the place of the one at position `own` among all, 1 for the lowest."""
     return Measured(
-        value=1.0 + sum(other.value < own.value for other in others),
-        draws=np.asarray(1.0 + sum(1.0 * (other.draws < own.draws) for other in others)),
-        repeats=fewest_repeats(own, *others),
-        thin=any(part.thin for part in (own, *others)),
+        value=float(place([np.asarray(part.value) for part in all_of_them], own, ties)),
+        draws=place([part.draws for part in all_of_them], own, ties),
+        repeats=fewest_repeats(*all_of_them),
+        thin=any(part.thin for part in all_of_them),
     )
 
 
@@ -71,7 +72,10 @@ class Measure(Protocol):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Statistic:
-    """Best, worst, mean or std, over the runs of one table, of the cost or another quantity."""
+    """A statistic, over the runs of one table, of the cost or another quantity.
+
+    `statistic` is a word of `repro.statistics.named`: "best", "mean", "median", "q1", and so on.
+    """
 
     experiment: str
     problem: str
@@ -100,44 +104,67 @@ class Statistic:
 
     def measure(self, evidence: Evidence) -> Measured:
         """Return the statistic of the first repeat and of tables that may come next."""
+        if self.statistic not in STATISTICS:
+            return evidence.remember(self, partial(_statistic, evidence, self))
         of_all = evidence.remember(
             replace(self, statistic=ALL), partial(_statistics, evidence, self.cell, self.quantity)
         )
-        return of_all[self.statistic]
+        return of_all.get(self.statistic) or _statistic(evidence, self)
 
 
 def _statistics(evidence: Evidence, cell: Cell, quantity: str) -> Mapping[str, Measured]:
-    """Return every statistic of one and the same tables, which are made once for all of them."""
-    values = evidence.values(cell, quantity)
-    # named without the quantity: the same tables for all of a cell's numbers
-    rng = generator("tables", evidence.key, *cell)
-    cost = quantity == "cost"
-    ends = (evidence.floor(cell), evidence.ceiling(cell)) if cost else (-np.inf, np.inf)
-    thin = half_equal(values)
-    tables = next_tables(values, tables=TABLES, rng=rng, ends=ends)
+    """Return every usual statistic of the same tables, which are made once for all of them."""
+    values, tables = _tables(evidence, cell, quantity)
     return {
-        name: Measured(
-            value=float(statistic(values[0])),
-            draws=statistic(tables),
-            repeats=len(values),
-            thin=name in EXTREMES or thin,
-        )
+        name: _measured(name, statistic, values, tables)
         for name, statistic in STATISTICS.items()
         if name != "std" or values.shape[-1] > 1
     }
 
 
+def _statistic(evidence: Evidence, of: Statistic) -> Measured:
+    """Return a statistic that few tables print; InputError where one run has none."""
+    function = statistic_named(of.statistic)
+    return _measured(of.statistic, function, *_tables(evidence, of.cell, of.quantity))
+
+
+def _tables(evidence: Evidence, cell: Cell, quantity: str) -> tuple[Vector, Vector]:
+    """Return what was found, and the same tables that may come next whenever they are asked for."""
+    values = evidence.values(cell, quantity)
+    # named without the quantity: the same tables for all of a cell's numbers
+    rng = generator("tables", evidence.key, *cell)
+    cost = quantity == "cost"
+    ends = (evidence.floor(cell), evidence.ceiling(cell)) if cost else (-np.inf, np.inf)
+    return values, next_tables(values, tables=TABLES, rng=rng, ends=ends)
+
+
+def _measured(
+    name: str, statistic: Callable[[Vector], Vector], values: Vector, tables: Vector
+) -> Measured:
+    return Measured(
+        value=float(statistic(values[0])),
+        draws=statistic(tables),
+        repeats=len(values),
+        thin=is_of_extremes(name, values.shape[-1]) or half_equal(values),
+    )
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Rank:
-    """Place of one algorithm's statistic among others, 1 for the lowest; ties share the lower."""
+    """Place of one algorithm's statistic among others, 1 for the lowest.
+
+    `ties` says how equal ones share their places: by default the lower one is for all.
+    """
 
     of: Statistic
     among: tuple[str, ...]
+    ties: Ties = "min"
 
     @property
     def words(self) -> str:
         """What is measured, as a phrase."""
-        return f"rank of {self.of.words} among {', '.join(self.among)}"
+        shared = "" if self.ties == "min" else f", ties {self.ties}"
+        return f"rank of {self.of.words} among {', '.join(self.among)}{shared}"
 
     @property
     def follows(self) -> bool:
@@ -150,9 +177,9 @@ class Rank:
 
     def measure(self, evidence: Evidence) -> Measured:
         """Return the rank in the first repeat and in tables that may come next."""
-        rivals = [name for name in self.among if name != self.of.algorithm]
-        others = [replace(self.of, algorithm=name).measure(evidence) for name in rivals]
-        return place_among(self.of.measure(evidence), others)
+        names = tuple(dict.fromkeys((*self.among, self.of.algorithm)))
+        found = [replace(self.of, algorithm=name).measure(evidence) for name in names]
+        return place_among(found, names.index(self.of.algorithm), self.ties)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

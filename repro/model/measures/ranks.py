@@ -13,7 +13,10 @@ from numpy.typing import NDArray
 from repro.determinism.seeds import generator
 from repro.model.evidence import Cell, Evidence
 from repro.model.measures.measure import Measured, Statistic
+from repro.statistics.pairs import paired_p
+from repro.statistics.places import Ties
 from repro.statistics.tables import next_tables
+from repro.tables.relations import RankTest
 
 Vector = NDArray[np.float64]
 TEST_TABLES = 400  # tables per test: its 2.5 % tail then holds 10 of them
@@ -32,18 +35,20 @@ SAMPLES: Mapping[Samples, str] = MappingProxyType(
 class Contest:
     """Algorithms ranked on each of several problems by a statistic of their runs.
 
-    1 is for the lowest; ties share the mean of their places.
+    1 is for the lowest; ties share the mean of their places, if `ties` says no other way.
     """
 
     experiment: str
     problems: tuple[str, ...]
     algorithms: tuple[str, ...]
     statistic: str = "mean"
+    ties: Ties = "average"
 
     @property
     def words(self) -> str:
         """What is ranked, as a phrase."""
-        return f"{self.statistic} cost among {', '.join(self.algorithms)}"
+        shared = "" if self.ties == "average" else f", ties {self.ties}"
+        return f"{self.statistic} cost among {', '.join(self.algorithms)}{shared}"
 
     def statistics(self, problem: str) -> tuple[Statistic, ...]:
         """Return the statistic of each algorithm on one problem."""
@@ -72,7 +77,8 @@ class Contest:
         for problem in self.problems:
             found = [statistic.measure(evidence) for statistic in self.statistics(problem)]
             repeats += [each.repeats for each in found]
-            ranked.append(rankdata([[each.value, *each.draws] for each in found], axis=0))
+            costs = [[each.value, *each.draws] for each in found]
+            ranked.append(rankdata(costs, axis=0, method=self.ties))
         return np.array(ranked), min(repeats)
 
     def of(self, algorithm: str) -> int:
@@ -161,9 +167,11 @@ class Firsts:
 class RankSum:
     """Wilcoxon's rank-sum test of one algorithm against another over several problems.
 
+    By "signed-rank" it is his test of pairs: the runs as they follow each other, or the averages.
     `samples` says what is compared: all runs on all problems together, the averages of the
     problems, or the runs problem by problem, whose p-values are then averaged. The p-value is
-    two-sided, by the normal approximation with tie and continuity correction. As a `sign` it is
+    two-sided, by the normal approximation with tie and continuity correction, pairs that are equal
+    left out. As a `sign` it is
     1 where the algorithm's costs are the lower at the 5 % level, -1 where they are the higher, else
     0.
     """
@@ -175,13 +183,14 @@ class RankSum:
     against: str
     sign: bool = False
     samples: Samples = "all runs"
+    by: RankTest = "rank-sum"
 
     @property
     def words(self) -> str:
         """What is measured, as a phrase."""
         kind = "sign" if self.sign else "p-value"
         return (
-            f"{kind} of the rank-sum test of {self.algorithm} against {self.against}, "
+            f"{kind} of the {self.by} test of {self.algorithm} against {self.against}, "
             f"{SAMPLES[self.samples]}, {len(self.problems)} problems"
         )
 
@@ -202,9 +211,10 @@ class RankSum:
     def test(self, evidence: Evidence) -> tuple[Vector, NDArray[np.bool_]]:
         """Return p in the first repeat and in tables to come, and whether costs rank lower."""
         own, others = (self._tables(evidence, name) for name in (self.algorithm, self.against))
-        p, lower = _test(self._sample(own), self._sample(others))
+        tested = _signed_rank if self.by == "signed-rank" else _rank_sum
+        p, lower = tested(self._sample(own), self._sample(others))
         if self.samples == "each problem":
-            p = np.mean([_test(x, y)[0] for x, y in zip(own, others, strict=True)], axis=0)
+            p = np.mean([tested(x, y)[0] for x, y in zip(own, others, strict=True)], axis=0)
         return p, lower
 
     def _sample(self, tables: list[Vector]) -> Vector:
@@ -231,7 +241,7 @@ def _measured(values: Vector, repeats: int) -> Measured:
     return Measured(value=float(values[0]), draws=values[1:], repeats=repeats)
 
 
-def _test(x: Vector, y: Vector) -> tuple[Vector, NDArray[np.bool_]]:
+def _rank_sum(x: Vector, y: Vector) -> tuple[Vector, NDArray[np.bool_]]:
     """Return two-sided p-values, row by row, and whether x ranks lower than y."""
     from scipy.stats import mannwhitneyu  # noqa: PLC0415 (slow to load)
 
@@ -240,3 +250,11 @@ def _test(x: Vector, y: Vector) -> tuple[Vector, NDArray[np.bool_]]:
     # two samples of one and the same value are not different
     p = np.where(np.isnan(found.pvalue), 1.0, found.pvalue)
     return p, found.statistic < 0.5 * x.shape[1] * y.shape[1]
+
+
+def _signed_rank(x: Vector, y: Vector) -> tuple[Vector, NDArray[np.bool_]]:
+    """Return two-sided p-values of pairs, row by row, and whether x ranks lower than y."""
+    with np.errstate(invalid="ignore"):
+        differences = np.where(x == y, 0.0, x - y)  # two infinite costs are equal
+    found = [paired_p(row) for row in differences]
+    return np.array([p for p, _ in found]), np.array([lower for _, lower in found])

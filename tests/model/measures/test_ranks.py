@@ -2,7 +2,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from scipy.stats import mannwhitneyu
+from scipy.stats import mannwhitneyu, wilcoxon
 
 from repro.model.claims import ranked
 from repro.model.evidence import Evidence, Runs
@@ -207,3 +207,35 @@ def test_words_name_what_is_compared() -> None:
     assert pair.words == (
         "p-value of the rank-sum test of a against c, all runs on all problems together, 1 problems"
     )
+
+
+def test_signed_rank_test_pairs_the_runs_as_they_follow_each_other() -> None:
+    rng = np.random.default_rng(3)
+    a, b = rng.random((2, 12)), rng.random((2, 12))
+    found = evidence(a=(a.tolist(), b.tolist()), b=(b.tolist(), a.tolist()))
+
+    test = RankSum(experiment="e", problems=("p",), algorithm="a", against="b", by="signed-rank")
+
+    expected = wilcoxon(a[0] - b[0], method="asymptotic", correction=True).pvalue
+    assert test.measure(found).value == pytest.approx(expected, rel=1e-9)
+    assert "signed-rank test of a against b" in test.words
+
+
+def test_sign_of_the_signed_rank_test_says_who_is_lower() -> None:
+    low, high = [[1.0 + k for k in range(9)]], [[2.5 + k for k in range(9)]]
+    found = evidence(a=(low, low), b=(high, high))
+    test = RankSum(
+        experiment="e", problems=("p",), algorithm="a", against="b", by="signed-rank", sign=True
+    )
+
+    assert test.measure(found).value == 1.0
+    assert replace(test, algorithm="b", against="a").measure(found).value == -1.0
+
+
+def test_contest_shares_ties_as_it_is_told() -> None:
+    found = constant(a=(1, 5), b=(1, 5), c=(2, 5))
+    dense = replace(CONTEST, ties="dense")
+
+    ranks = [MeanRank(contest=dense, algorithm=name).measure(found).value for name in "abc"]
+
+    assert ranks == [1.0, 1.0, 1.5]
