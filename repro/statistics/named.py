@@ -28,7 +28,9 @@ KNOWN = (
     *("success rate at 1e-8", "success share at 1e-8", "successes at 1e-8"),
 )
 """What may be asked for; quantiles also as "q1 by weibull", with any of numpy's nine names."""
-_QUANTILE = re.compile(r"(?P<name>iqr|q(?P<digits>[123]|\d\d(?:\.\d+)?|[1-9]\.\d+))(?: by (?P<method>\w+))?")
+_QUANTILE = re.compile(
+    r"(?P<name>iqr|q(?P<digits>[123]|\d\d(?:\.\d+)?|[1-9]\.\d+))(?: by (?P<method>\w+))?"
+)
 _SUCCESS = re.compile(r"(?P<kind>successes|success rate|success share) at (?P<threshold>\S+)")
 _QUARTERS = ("1", "2", "3")
 _SPREADS = ("std", "variance", "standard error", "iqr")

@@ -77,6 +77,4 @@ def audit_row(
 
 
 def _places(label: str, cells: Iterable[Cell]) -> Iterable[CellPlace]:
-    return (
-        CellPlace(row=cell.row, column=cell.column) for cell in cells if cell.label == label
-    )
+    return (CellPlace(row=cell.row, column=cell.column) for cell in cells if cell.label == label)
