@@ -180,6 +180,14 @@ def bench(session: nox.Session) -> None:
     session.run("pytest", "benchmarks", *options, *session.posargs, env=environment)
 
 
+@nox.session
+def docs(session: nox.Session) -> None:
+    """Build the manual from docs/ into docs/_build/html, without an outside request."""
+    _install(session, "docs")
+    target = "docs/_build/html"
+    session.run("sphinx-build", "-W", "--keep-going", "-q", "-b", "html", "docs", target)
+
+
 @nox.session(venv_backend="none")
 def bundle(session: nox.Session) -> None:
     """Build the script of the robot's view anew, with node and npm (see repro/report/arm)."""

@@ -36,7 +36,7 @@ class RestToRestLaw:
         return area / area(1.0)
 
     def peak_factor(self, derivative: int) -> float:
-        """Return max |s^(m)(τ)| on [0, 1]: a move D in time T peaks at factor · |D| / T^m."""
+        """Return max abs(s^(m)(τ)) on [0, 1]: a move D in time T peaks at factor · abs(D) / T^m."""
         curve = self.polynomial.deriv(derivative)
         turns = curve.deriv().roots() if curve.degree() > 0 else np.zeros(0)
         real = turns.real[abs(turns.imag) < 1e-9]
