@@ -1,89 +1,20 @@
-"""Numbers and tables as they are printed: text, unit, place and rounding."""
+"""Tables as they are printed: cells, their places and their units."""
 
-import math
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Self
 
 from repro.errors import DeclarationError
-from repro.tables.numbers import NoNumber, NumberForm, number_form
-from repro.tables.units import UNITS, is_same_unit, known_unit
+from repro.tables.printed import WORDS, Printed, unknown_unit
+from repro.tables.units import UNITS, known_unit
 
 __all__ = ["NOTHING", "UNITS", "WORDS", "Column", "Printed", "PublishedTable"]
 
-WORDS = "text"
 NOTHING = "–"  # how a declaration writes a cell or row heading that is empty on the page
 
-_SHOWN = 60  # characters of a text in a message
-
+_CITED = re.compile(r"[-–,.;\s\d]*")  # "[12]" behind a row heading is no unit
 _HEADING = re.compile(r"(?P<name>[^\[\]]+?)\s*(?:\[(?P<unit>[^\]]*)\])?")
-
-
-@dataclass(frozen=True, slots=True)
-class Printed:
-    """A number as it stands on the page: the text is the datum, the value follows from it.
-
-    A mark of significance may follow it, as in "0.002/+", and a unit, which is then the number's.
-    """
-
-    text: str
-    unit: str = ""
-
-    def __post_init__(self) -> None:
-        """Raise DeclarationError for an unknown unit or a text that is no number."""
-        if self.unit not in UNITS:
-            raise DeclarationError(_unknown_unit(self.text, self.unit))
-        form = number_form(self.text)
-        if isinstance(form, NoNumber):
-            because = f": {form.because}" if form.because else ""
-            message = f"{self.text[:_SHOWN]!r} is not a number{because}"
-            raise DeclarationError(message)
-        if not math.isfinite(form.value):
-            message = f"{self.text!r} is greater than any double"
-            raise DeclarationError(message)
-        if form.unit and not self.unit:
-            object.__setattr__(self, "unit", form.unit)
-        elif form.unit and not is_same_unit(form.unit, self.unit):
-            message = f"{self.text!r} is in {form.unit}, but its place says {self.unit}"
-            raise DeclarationError(message)
-
-    @property
-    def value(self) -> float:
-        """Value in the printed unit."""
-        return self._form.value
-
-    @property
-    def rounding(self) -> float:
-        """Half a unit of the last printed digit, in the printed unit; 0 for π/2 and for 4/30."""
-        return self._form.rounding
-
-    @property
-    def mantissa(self) -> str:
-        """Digits with sign and point, without the power of ten; empty for π/2 and for 4/30."""
-        return self._form.mantissa
-
-    @property
-    def power(self) -> int | None:
-        """Power of ten that is printed; None where there is none."""
-        return self._form.power
-
-    @property
-    def mark(self) -> str:
-        """What stands behind the number, such as "/+" or "†"; it says nothing of the value."""
-        return self._form.mark
-
-    @property
-    def si(self) -> float:
-        """Value in SI units."""
-        return self.value * UNITS[self.unit]
-
-    @property
-    def _form(self) -> NumberForm:
-        form = number_form(self.text)
-        if isinstance(form, NoNumber):  # excluded when the number was made
-            raise DeclarationError(self.text)
-        return form
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,7 +27,10 @@ class Column:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PublishedTable:
-    """A table as the page shows it; cells are found by row name and column name."""
+    """A table as the page shows it; cells are found by row name and column name.
+
+    `row_units` are the units that row headings name, empty where a row has none of its own.
+    """
 
     label: str
     where: str
@@ -104,6 +38,7 @@ class PublishedTable:
     columns: tuple[Column, ...]
     rows: tuple[tuple[str, ...], ...]
     cells: tuple[tuple[Printed | str, ...], ...]
+    row_units: tuple[str, ...] = ()
 
     @classmethod
     def read(cls, page: str) -> Self:
@@ -112,29 +47,23 @@ class PublishedTable:
         The first line says where it stands. The second has the headings, with units in brackets;
         `||` (or else the first `|`) parts the row headings from the values. A blank row heading
         repeats the one above; a dash (–) stands for a cell or row heading that is empty on the
-        page. Raises DeclarationError with the table, row and text at fault.
+        page. A row heading may name a unit, too, for the columns without one; in brackets with
+        digits alone, as "PSO [12]", it is a name. Raises DeclarationError with the table, row and
+        text at fault.
         """
         where, heading, *body = _lines(page)
         label = where.partition(",")[0]
         names, titles = _split(label, heading)
         columns = tuple(_column(label, title) for title in titles)
         rows: list[tuple[str, ...]] = []
-        cells = []
+        units, cells = [], []
+        above = ("",) * len(names)
         for line in body:
-            row, texts = _split(label, line)
-            if len(row) != len(names) or len(texts) != len(columns):
-                message = (
-                    f"{label}, row {' '.join(row)!r}: {len(row)} + {len(texts)} cells, "
-                    f"but the heading has {len(names)} + {len(columns)}"
-                )
-                raise DeclarationError(message)
-            above = rows[-1] if rows else row
-            rows.append(tuple(own or old for own, old in zip(row, above, strict=True)))
-            if not all(rows[-1]):
-                message = f"{label}, row {line!r}: a blank heading has none above it to repeat"
-                raise DeclarationError(message)
-            rows[-1] = tuple("" if heading == NOTHING else heading for heading in rows[-1])
-            cells.append(_read_row(label, _name(rows[-1]), texts, columns))
+            above, texts = _of_line(label, line, above, len(columns))
+            row, unit = _without_unit(label, above)
+            rows.append(row)
+            units.append(unit)
+            cells.append(_read_row(label, _name(row), texts, _of_unit(label, row, columns, unit)))
         _refuse_repeats(label, list(map(_name, rows)))
         _refuse_repeats(label, [column.name for column in columns])
         return cls(
@@ -144,6 +73,7 @@ class PublishedTable:
             columns=columns,
             rows=tuple(rows),
             cells=tuple(cells),
+            row_units=tuple(units) if any(units) else (),
         )
 
     @property
@@ -206,6 +136,55 @@ def _split(label: str, line: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
     )
 
 
+def _of_line(
+    label: str, line: str, above: tuple[str, ...], columns: int
+) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Return the row headings of a line, blank ones repeated from above, and its cells."""
+    row, texts = _split(label, line)
+    if len(row) != len(above) or len(texts) != columns:
+        message = (
+            f"{label}, row {' '.join(row)!r}: {len(row)} + {len(texts)} cells, "
+            f"but the heading has {len(above)} + {columns}"
+        )
+        raise DeclarationError(message)
+    row = tuple(own or old for own, old in zip(row, above, strict=True))
+    if not all(row):
+        message = f"{label}, row {line!r}: a blank heading has none above it to repeat"
+        raise DeclarationError(message)
+    return row, texts
+
+
+def _without_unit(label: str, row: tuple[str, ...]) -> tuple[tuple[str, ...], str]:
+    """Return row headings without the unit that one of them names, and the unit."""
+    names, units = [], []
+    for heading in row:
+        rest = heading.partition("[")[2]
+        if heading == NOTHING or not rest.endswith("]") or _CITED.fullmatch(rest[:-1]):
+            names.append("" if heading == NOTHING else heading)
+            continue
+        column = _column(label, heading)
+        names.append(column.name)
+        units.append(column.unit)
+    if len(units) > 1:
+        message = f"{label}, row {' '.join(row)!r}: two units, {' and '.join(units)}"
+        raise DeclarationError(message)
+    return tuple(names), "".join(units)
+
+
+def _of_unit(
+    label: str, row: tuple[str, ...], columns: tuple[Column, ...], unit: str
+) -> tuple[Column, ...]:
+    """Return the columns as the row's unit, if any, has them."""
+    for column in columns:
+        if unit and column.unit not in ("", unit, WORDS):
+            message = (
+                f"{label}, row {_name(row)!r}: its unit is {unit}, but column {column.name!r} is "
+                f"in {column.unit}"
+            )
+            raise DeclarationError(message)
+    return tuple(Column(column.name, column.unit or unit) for column in columns)
+
+
 def _column(label: str, title: str) -> Column:
     match = _HEADING.fullmatch(title)
     if match is None:
@@ -214,7 +193,7 @@ def _column(label: str, title: str) -> Column:
     unit = match["unit"] or ""
     known = unit if unit == WORDS else known_unit(unit)
     if known is None:
-        raise DeclarationError(_unknown_unit(f"{label}, heading {title!r}", unit))
+        raise DeclarationError(unknown_unit(f"{label}, heading {title!r}", unit))
     return Column(match["name"], known)
 
 
@@ -232,10 +211,6 @@ def _cell(text: str, column: Column) -> Printed | str:
     if text == NOTHING:
         return ""
     return text if column.unit == WORDS else Printed(text, column.unit)
-
-
-def _unknown_unit(place: str, unit: str) -> str:
-    return f"{place}: unknown unit {unit!r}; known: {', '.join(filter(None, UNITS))}, {WORDS}"
 
 
 def _refuse_repeats(label: str, names: list[str]) -> None:

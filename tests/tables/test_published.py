@@ -255,3 +255,43 @@ def test_unit_behind_a_number_is_the_numbers() -> None:
 def test_lost_sign_of_an_exponent_is_said() -> None:
     with pytest.raises(DeclarationError, match=r"sign was lost in copying: 10111 .* or 10\^-11$"):
         Printed("2.51×10111")
+
+
+OF_UNITS = """
+    Table 4, p. 9
+    quantity    | statistic || PSO [12] | winner [text]
+    time [ms]   | mean      || 3.5      | PSO
+                | std       || 0.5      | –
+    error [deg] | worst     || 90       | –
+    runs        | –         || 30       | –
+"""
+
+
+def test_row_heading_may_name_the_unit_of_its_row() -> None:
+    table = PublishedTable.read(OF_UNITS.replace("PSO [12]", "PSO"))
+
+    assert table.row_names == ("time mean", "time std", "error worst", "runs")
+    assert table.column("PSO") == pytest.approx((3.5e-3, 5e-4, math.pi / 2, 30.0))
+    assert table.row_units == ("ms", "ms", "deg", "")
+    assert table.cells[0][1] == "PSO"
+
+
+def test_number_of_a_reference_behind_a_row_heading_is_part_of_the_name() -> None:
+    table = PublishedTable.read("Table 5\n| x\nPSO [3, 12] | 1\nGA [7–9] | 2")
+
+    assert table.row_names == ("PSO [3, 12]", "GA [7–9]")
+    assert table.row_units == ()
+
+
+@pytest.mark.parametrize(
+    ("page", "message"),
+    [
+        ("T\n| x\ntime [fortnight] | 1", "heading 'time \\[fortnight\\]': unknown unit"),
+        ("T\n| x [s]\ntime [ms] | 1", "row 'time': its unit is ms, but column 'x' is in s"),
+        ("T\na | b || x\nt [ms] | m [s] || 1", "two units, ms and s"),
+        ("T\n| x\ntime [ms] | 1 s", "'1 s' is in s, but its place says ms"),
+    ],
+)
+def test_unit_of_a_row_that_cannot_be_is_refused(page: str, message: str) -> None:
+    with pytest.raises(DeclarationError, match=message):
+        PublishedTable.read(page)

@@ -224,13 +224,18 @@ def marks_by_cell(rows: Iterable[AuditRow]) -> dict[Place, list[AuditRow]]:
 def table_view(table: PublishedTable, found: Mapping[Place, Shown]) -> Table:
     """Return a printed table; cells that no finding concerns show their text."""
     rows = []
-    for name, headings, cells in zip(table.row_names, table.rows, table.cells, strict=True):
+    units = table.row_units or ("",) * len(table.rows)
+    for name, headings, unit, cells in zip(
+        table.row_names, table.rows, units, table.cells, strict=True
+    ):
         shown_cells = tuple(
             found.get((table.label, name, column.name))
             or (cell if isinstance(cell, str) else cell.text)
             for column, cell in zip(table.columns, cells, strict=True)
         )
-        rows.append((headings, shown_cells))
+        *first, last = headings
+        shown_headings = (*first, f"{last} [{unit}]") if unit in UNITS and unit else headings
+        rows.append((shown_headings, shown_cells))
     return Table(
         label=table.label,
         where=table.where,

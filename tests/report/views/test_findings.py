@@ -6,7 +6,8 @@ from repro.audit import AuditRow, Grade
 from repro.judge.findings import Finding
 from repro.judge.turning import ReadingOutcome
 from repro.judge.verdict import Verdict
-from repro.report.views.findings import everything, marks_by_cell, tallies
+from repro.report.views.findings import everything, marks_by_cell, table_view, tallies
+from repro.tables.published import PublishedTable
 
 
 def finding(row: str, **changes: Any) -> Finding:  # noqa: ANN401 (of each field its own)
@@ -117,3 +118,9 @@ def test_an_audit_row_on_several_cells_marks_each() -> None:
     marks = marks_by_cell([row])
     assert marks["Table 2", "F1 Best", "WOA"] == [row]
     assert marks["Table 2", "F1 Mean", "WOA"] == [row]
+
+
+def test_unit_of_a_row_stands_behind_its_heading() -> None:
+    table = PublishedTable.read("Table 9\nquantity || PSO\ntime [ms] || 3\nruns || 30")
+
+    assert [headings for headings, _ in table_view(table, {}).rows] == [("time [ms]",), ("runs",)]
