@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any, Unpack
+from typing import Any, ClassVar, Unpack
 
 import numpy as np
 from numpy.typing import NDArray
@@ -56,8 +56,9 @@ class Bowl:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Guessing:
-    """Random search in a box that is `width` times the problem's."""
+    """Random search in a box `width` times the problem's, too short to need a process."""
 
+    holds_interpreter: ClassVar[bool] = False
     width: float = 1.0
 
     @property
@@ -80,6 +81,7 @@ class Guessing:
 class Failing:
     """A search that ends with a cost that is no number, or raises an error where None is given."""
 
+    holds_interpreter: ClassVar[bool] = False
     cost: float | None = None
 
     def minimise(self, problem: Problem, **budget: Unpack[Budget]) -> Result:  # noqa: ARG002

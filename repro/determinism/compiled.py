@@ -8,6 +8,7 @@ modules of the folders in which one imports this module.
 
 import hashlib
 import os
+import re
 import threading
 from pathlib import Path
 from typing import Any
@@ -15,8 +16,11 @@ from typing import Any
 import numba
 from numba.types import FunctionType, Tuple, float64, int64, uint64
 
+from repro.errors import InputError
+
 _PACKAGE = Path(__file__).parent.parent
 _LOCK = threading.Lock()
+_SHOWN = 200  # characters of what numba says that a message shows
 
 
 def _digest() -> str:
@@ -49,9 +53,28 @@ SEARCH = Tuple((VECTOR, float64, VECTOR, int64))(
 
 
 def ready(kernel: Any, signature: Any) -> Any:  # noqa: ANN401 (numba ships no types)
-    """Return `kernel` compiled for `signature` alone, so that it passes as an argument."""
+    """Return `kernel` compiled for `signature`, so that it passes as an argument.
+
+    Raises InputError, in one line, for one that cannot be compiled so.
+    """
     with _LOCK:
-        if not kernel.overloads:
-            kernel.compile(signature)
+        if signature.args not in kernel.overloads:
+            try:
+                kernel.compile(signature)
+            except (numba.core.errors.NumbaError, TypeError, RuntimeError) as error:
+                message = f"{_place(kernel)} cannot be compiled: {_one_line(error)}"
+                raise InputError(message) from None
             kernel.disable_compile()
     return kernel
+
+
+def _place(kernel: Any) -> str:  # noqa: ANN401
+    code = kernel.py_func.__code__
+    return f"{kernel.__name__} ({Path(code.co_filename).name}, line {code.co_firstlineno})"
+
+
+def _one_line(error: Exception) -> str:
+    """Return what numba says, without the steps that led there and without its terminal colours."""
+    lines = (line.strip() for line in re.sub(r"\x1b\[[0-9;]*m", "", str(error)).splitlines())
+    said = " ".join(line for line in lines if line and not line.startswith("Failed in "))
+    return said if len(said) <= _SHOWN else f"{said[:_SHOWN]}…"

@@ -1,4 +1,4 @@
-"""What a benchmark function is: a compiled cost with its box and its true minimum."""
+"""What a benchmark function is: a cost with its box and its true minimum."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from repro.determinism.compiled import COST, ready
+from repro.determinism.plain_costs import callable_cost, check_cost
 from repro.errors import InputError
 
 Vector = NDArray[np.float64]
@@ -22,6 +22,8 @@ class Function:
     that the loop with the sines is one that vectorises, and the sum keeps its order. `cancels` is
     the size of the terms that cancel at the minimum: a fixed part, and one per coordinate. Where
     the function `adds_up` it is a sum of one term a coordinate, and `minimum` is that of one term.
+
+    The kernel is compiled, of (point, data), or plain Python, f(x) or f(x, data).
 
     A kernel whose `noise` is above 0 adds a draw from 0 to below that at every evaluation, from a
     state of `noise_room` numbers at the start of its second argument (see repro.determinism.noise).
@@ -42,6 +44,10 @@ class Function:
     noise: float = 0.0
     noise_room: int = 0
 
+    def __post_init__(self) -> None:
+        """Raise DeclarationError for a kernel that is no cost."""
+        check_cost(self.kernel)
+
     def __call__(self, x: Vector) -> float:
         """Return the value at one point of shape (n,), without noise."""
         point = np.ascontiguousarray(x, dtype=np.float64)
@@ -49,7 +55,7 @@ class Function:
             message = f"{self.name} takes one point of shape (n,), not an array of {point.shape}"
             raise InputError(message)
         problem = self.problem(len(point))
-        return float(ready(self.kernel, COST)(point, problem.data))
+        return callable_cost(self.kernel)(point, problem.data)
 
     def minimiser(self, dimension: int | None = None) -> Vector:
         """Return one point of shape (dimension,) that attains the minimum."""
@@ -86,7 +92,7 @@ class BenchmarkProblem:
 
     @property
     def kernel(self) -> Any:  # noqa: ANN401 (numba ships no types)
-        """Compiled cost."""
+        """The cost."""
         return self.function.kernel
 
     @property

@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from repro.determinism.compiled import COST, jit, ready
+from repro.determinism.compiled import jit
+from repro.determinism.plain_costs import callable_cost, is_compiled
 from repro.determinism.seeds import generator
 from repro.determinism.source_digests import source_digest
 from repro.errors import InputError
@@ -43,7 +44,7 @@ class ShiftedProblem:
         if point.shape != (self.problem.dimension,):
             message = f"a point of shape ({self.problem.dimension},) is needed, not {point.shape}"
             raise InputError(message)
-        return float(ready(self.kernel, COST)(point, self.data))
+        return callable_cost(self.kernel)(point, self.data)
 
     @property
     def bounds(self) -> Vector:
@@ -67,8 +68,9 @@ class ShiftedProblem:
 
     @property
     def kernel(self) -> Any:  # noqa: ANN401 (numba ships no types)
-        """Compiled cost."""
-        return _moved(self.problem.kernel)
+        """The cost: compiled where that of f is."""
+        kernel = self.problem.kernel
+        return _moved(kernel) if is_compiled(kernel) else MovedPlain(kernel=kernel)
 
     @property
     def data(self) -> Vector:
@@ -105,6 +107,18 @@ def _moved(kernel: Any) -> Any:  # noqa: ANN401 (numba ships no types)
     function.__qualname__ = name
     function.__module__ = source  # the module on whose source the values depend
     return jit(function)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MovedPlain:
+    """The cost f(x - s) where f, the `kernel`, is plain Python."""
+
+    kernel: Any
+
+    def __call__(self, x: Vector, data: Vector) -> float:
+        """Return the cost of a point; the shift is the last n numbers of the data."""
+        cost = callable_cost(self.kernel)
+        return cost(x - data[len(data) - len(x) :], data)
 
 
 def _at_shifted_point(x, data):

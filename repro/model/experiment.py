@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from repro.optimisers.search import Optimiser
+from repro.optimisers.own_search import as_optimiser
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -13,16 +13,25 @@ class Experiment:
 
     `proposed` is the algorithm that the paper puts forward; the others are compared with it. Where
     `evaluations` is given, it is the budget of a run in place of the iterations. Runs draw the
-    random numbers of the runs of `drawn_as`, an experiment's name, where one is given.
+    random numbers of the runs of `drawn_as`, an experiment's name, where one is given. An algorithm
+    that is a callable f(cost, bounds, budget, rng) -> x is kept as an `OwnSearch` of it.
     """
 
     name: str
     where: str
     proposed: str
     problems: Mapping[str, Any]
-    algorithms: Mapping[str, Optimiser]
+    algorithms: Mapping[str, Any]  # optimisers, once it is made
     population: int
     iterations: int
     runs: int
     evaluations: int | None = None
     drawn_as: str = ""
+
+    def __post_init__(self) -> None:
+        """Raise DeclarationError for an algorithm that is no search."""
+        optimisers = {
+            name: as_optimiser(given, f"{self.name}, algorithm {name!r}")
+            for name, given in self.algorithms.items()
+        }
+        object.__setattr__(self, "algorithms", optimisers)

@@ -7,16 +7,17 @@ from typing import Any, NotRequired, Protocol, TypedDict, Unpack, runtime_checka
 import numpy as np
 from numpy.typing import NDArray
 
-from repro.determinism.compiled import COST, SEARCH, ready
+from repro.determinism.compiled import SEARCH, ready
 from repro.determinism.draws import state_from
 from repro.determinism.noise import ROOM
+from repro.determinism.plain_costs import callable_cost, passing
 from repro.errors import InputError
 
 Vector = NDArray[np.float64]
 
 
 class Problem(Protocol):
-    """Bounds plus a compiled cost."""
+    """Bounds plus a cost."""
 
     @property
     def bounds(self) -> Vector:
@@ -24,7 +25,7 @@ class Problem(Protocol):
 
     @property
     def kernel(self) -> Any:  # noqa: ANN401 (numba ships no types)
-        """Compiled cost: (point, data) to cost."""
+        """Cost: compiled, (point, data) to cost, or plain Python, f(x) or f(x, data)."""
 
     @property
     def data(self) -> Vector:
@@ -79,9 +80,9 @@ class Spending:
 
 @runtime_checkable
 class HoldsInterpreter(Protocol):
-    """An optimiser or problem in plain Python, whose runs go to processes and not to threads.
+    """An optimiser or problem that says whether its runs go to processes and not to threads.
 
-    Compiled ones lack the attribute. Both give the same bits.
+    It need not: without the attribute it follows from what is compiled. Both give the same bits.
     """
 
     @property
@@ -171,23 +172,30 @@ def search(
         message = f"population {population} is too small; this search needs {least} or more"
         raise InputError(message)
     steps = _iterations(spending(population), iterations=iterations, evaluations=evaluations)
-    x, best, history, spent = ready(kernel, SEARCH)(
-        ready(problem.kernel, COST),
-        np.ascontiguousarray(problem.data, dtype=np.float64),
-        _checked_bounds(problem),
-        population,
-        steps,
-        np.array(parameters, dtype=np.float64),
-        state_from(rng),
-    )
+    bounds = checked_bounds(problem)
+    with passing(problem.kernel) as cost:
+        x, best, history, spent = ready(kernel, SEARCH)(
+            cost,
+            np.ascontiguousarray(problem.data, dtype=np.float64),
+            bounds,
+            population,
+            steps,
+            np.array(parameters, dtype=np.float64),
+            state_from(rng),
+        )
     return Result(x=x, cost=float(best), history=history, evaluations=int(spent))
+
+
+def hands_to_search(optimiser: object) -> bool:
+    """Return whether an optimiser's `minimise` leaves its work to the compiled `search`."""
+    minimise = getattr(type(optimiser), "minimise", None)
+    code, known = getattr(minimise, "__code__", None), getattr(minimise, "__globals__", {})
+    return code is not None and any(known.get(name) is search for name in code.co_names)
 
 
 def value(kernel: Any, data: Vector, x: Vector) -> float:  # noqa: ANN401
     """Return the cost of a point, shape (n,), by a kernel that is compiled or plain Python."""
-    if hasattr(kernel, "signatures"):
-        kernel = ready(kernel, COST)
-    return float(kernel(np.ascontiguousarray(x, dtype=np.float64), data))
+    return float(callable_cost(kernel)(np.ascontiguousarray(x, dtype=np.float64), data))
 
 
 def _iterations(cost: Spending, *, iterations: int | None, evaluations: int | None) -> int:
@@ -205,11 +213,15 @@ def _iterations(cost: Spending, *, iterations: int | None, evaluations: int | No
     return steps
 
 
-def _checked_bounds(problem: Problem) -> Vector:
+def checked_bounds(problem: Problem) -> Vector:
     """Return the bounds as a contiguous array; InputError unless finite and in order."""
-    bounds = np.ascontiguousarray(problem.bounds, dtype=np.float64)
+    try:
+        bounds = np.ascontiguousarray(problem.bounds, dtype=np.float64)
+    except (TypeError, ValueError):
+        bounds = np.empty(0)
     sound = bounds.ndim == 2 and bounds.shape[1] == 2 and len(bounds) > 0
     if not (sound and np.isfinite(bounds).all() and (bounds[:, 0] <= bounds[:, 1]).all()):
-        message = f"bounds must be finite pairs lower <= upper of shape (n, 2), not {bounds!r}"
+        shown = " ".join(f"{problem.bounds!r:.80}".split())
+        message = f"bounds must be finite pairs lower <= upper of shape (n, 2), not {shown}"
         raise InputError(message)
     return bounds

@@ -1,12 +1,10 @@
 """A user's own search, found by name and held to the rules of the others."""
 
 import importlib
-import inspect
 import math
 import os
 import sys
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, ClassVar, Unpack
 
 import numpy as np
@@ -14,13 +12,17 @@ from numpy.typing import NDArray
 
 from repro.determinism.source_digests import source_digest
 from repro.errors import InputError
-from repro.optimisers.libraries.budget import BudgetSpent, CountedCost
+from repro.optimisers.own_search import (
+    OwnSearch,
+    checked_point,
+    filled,
+    has_protocol,
+    refuse_what_is_no_search,
+)
 from repro.optimisers.search import Budget, Problem, Result, noise_of, value, without_noise
 
 Vector = NDArray[np.float64]
-Search = Callable[[Callable[[Vector], float], Vector, int, np.random.Generator], Vector]
 ROUNDING = 1e-9  # share by which a cost may differ that was summed in another order
-CALL = "f(cost, bounds, budget, rng) -> x"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -42,9 +44,9 @@ class Entrant:
         """
         found = load(self.place)
         try:
-            if callable(getattr(found, "minimise", None)):
+            if has_protocol(found):
                 return _by_protocol(found, problem, budget)
-            return _by_call(found, problem, budget)
+            return OwnSearch(search=found).minimise(problem, **budget)
         except SystemExit:
             message = "it tried to end the program"
             raise InputError(message) from None
@@ -73,7 +75,7 @@ def load(place: str) -> Any:  # noqa: ANN401 (whatever the user wrote)
             message = f"{module!r} has no {name!r}; it has: {known or 'nothing'}"
             raise InputError(message)
         found = getattr(found, part)
-    _refuse_what_is_no_search(found, place)
+    refuse_what_is_no_search(found, place)
     return found
 
 
@@ -92,71 +94,6 @@ def _imported(module: str) -> Any:  # noqa: ANN401
         raise InputError(message) from None
 
 
-def _refuse_what_is_no_search(found: object, place: str) -> None:
-    if isinstance(found, type):
-        message = f"{place} is a class: name an object of it"
-        raise InputError(message)
-    if callable(getattr(found, "minimise", None)):
-        return
-    if not callable(found):
-        message = f"{place} is neither an object with minimise(problem, …) nor a callable {CALL}"
-        raise InputError(message)
-    try:
-        inspect.signature(found).bind(*range(4))
-    except TypeError:
-        message = f"{place} cannot be called as {CALL}"
-        raise InputError(message) from None
-    except ValueError:  # a compiled callable that does not say how it is called
-        return
-
-
-def _by_call(search: Search, problem: Problem, budget: Budget) -> Result:
-    population, iterations = budget["population"], budget["iterations"]
-    bounds = np.array(problem.bounds, dtype=np.float64)
-    counted = CountedCost(problem, population=population, iterations=iterations)
-    faults: list[InputError] = []
-
-    def cost(x: Vector) -> float:
-        try:
-            point = _checked_point(x, bounds, "it asked for the cost of")
-        except InputError as fault:
-            faults.append(fault)  # told again at the end, should the search swallow it
-            raise
-        return counted(point[counted.free])
-
-    try:
-        x = search(cost, bounds.copy(), population * iterations, budget["rng"])
-        counted(_checked_point(x, bounds, "it returned")[counted.free])
-    except BudgetSpent:
-        pass
-    if faults:
-        raise faults[0]
-    return _whole(counted.result(), iterations)
-
-
-def _whole(result: Result, iterations: int) -> Result:
-    """Return the result of a search that may have ended early, its history filled to the end."""
-    rest = np.full(iterations - len(result.history), result.cost)
-    return replace(result, history=np.concatenate([result.history, rest]))
-
-
-def _checked_point(x: object, bounds: Vector, what: str) -> Vector:
-    try:
-        point = np.ascontiguousarray(x, dtype=np.float64)
-    except (TypeError, ValueError):
-        message = f"{what} {x!r:.60}, which is no point of shape ({len(bounds)},)"
-        raise InputError(message) from None
-    if x is None or point.shape != (len(bounds),):
-        message = f"{what} {x!r:.60}, which is no point of shape ({len(bounds)},)"
-        raise InputError(message)
-    outside = np.flatnonzero(~((bounds[:, 0] <= point) & (point <= bounds[:, 1])))
-    if len(outside):
-        j = int(outside[0])
-        message = f"{what} a point outside the box: x[{j}] is {point[j]}, not in {bounds[j]}"
-        raise InputError(message)
-    return point
-
-
 def _by_protocol(search: Any, problem: Problem, budget: Budget) -> Result:  # noqa: ANN401
     population, iterations = budget["population"], budget["iterations"]
     allowed = population * iterations
@@ -168,7 +105,7 @@ def _by_protocol(search: Any, problem: Problem, budget: Budget) -> Result:  # no
     except (AttributeError, TypeError, ValueError):
         message = f"it returned {result!r:.60}, which has no x, cost, history and evaluations"
         raise InputError(message) from None
-    point = _checked_point(x, np.array(problem.bounds), "it returned")
+    point = checked_point(x, np.array(problem.bounds), "it returned")
     if not 0 < evaluations <= allowed:
         message = f"it spent {evaluations} evaluations, and {allowed} were allowed"
         raise InputError(message)
@@ -180,7 +117,7 @@ def _by_protocol(search: Any, problem: Problem, budget: Budget) -> Result:  # no
         message = f"its history is not the best cost so far of up to {iterations} iterations"
         raise InputError(message)
     found = Result(x=point, cost=true, history=history, evaluations=evaluations)
-    return _whole(found, iterations)
+    return filled(found, iterations)
 
 
 def _nearest_cost(problem: Problem, point: Vector, said: float) -> float:

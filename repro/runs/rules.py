@@ -8,6 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from repro.determinism.noise import ROOM, noise_of_run
+from repro.determinism.plain_costs import PlainCost, is_compiled
+from repro.errors import InputError
 from repro.optimisers.search import (
     DeclaresSpending,
     LeavesBox,
@@ -15,6 +17,7 @@ from repro.optimisers.search import (
     Optimiser,
     Problem,
     Result,
+    checked_bounds,
     noise_of,
     value,
     without_noise,
@@ -41,7 +44,7 @@ class Given:
         A cost that needs room for numbers of its own has it at the start of the data. There stands,
         too, what noise is drawn by, so that it follows from the name of the run alone.
         """
-        bounds, data = np.array(problem.bounds), np.array(problem.data)
+        bounds, data = checked_bounds(problem).copy(), _checked_data(problem)
         if noise_of(problem):
             data[:ROOM] = noise_of_run(stream)
         return cls(problem=problem, bounds=bounds, data=data, before=_bytes(problem, bounds, data))
@@ -56,6 +59,12 @@ class Given:
         return getattr(self.problem, name)
 
     @property
+    def kernel(self) -> Any:  # noqa: ANN401 (numba ships no types)
+        """The cost as a function of (point, data), whatever form the problem has it in."""
+        kernel = self.problem.kernel
+        return kernel if is_compiled(kernel) else PlainCost.of(kernel)
+
+    @property
     def noise(self) -> float:
         """What every draw that the cost adds is below; 0 where it adds none."""
         return noise_of(self.problem)
@@ -63,6 +72,18 @@ class Given:
     def cost(self, x: Vector) -> float:
         """Return the cost of a point, without noise."""
         return value(self.problem.kernel, without_noise(self.problem, self.data), x)
+
+
+def _checked_data(problem: Problem) -> Vector:
+    try:
+        data = np.array(problem.data, dtype=np.float64)
+    except (TypeError, ValueError):
+        data = np.empty((0, 0))
+    if data.ndim != 1:
+        shown = " ".join(f"{problem.data!r:.80}".split())
+        message = f"data must be numbers of shape (k,), not {shown}"
+        raise InputError(message)
+    return data
 
 
 def _bytes(problem: Problem, bounds: Vector, data: Vector) -> tuple[bytes, bytes]:
@@ -115,7 +136,12 @@ def _faults(
     # with noise: the sum of the cost and a draw below the noise may round to the very end
     if not (cost := given.cost(result.x)) <= result.cost <= cost + given.noise:
         noise = f" and noise from 0 to {given.noise:g}" if given.noise else ""
-        yield f"the search reports the cost {result.cost!r} for a point that costs {cost!r}{noise}"
+        again = given.cost(result.x)
+        unsteady = f", and {again!r} when asked again: the cost draws or keeps a state of its own"
+        yield (
+            f"the search reports the cost {result.cost!r} for a point that costs {cost!r}{noise}"
+            f"{'' if again == cost or np.isnan(cost) else unsteady}"
+        )
 
 
 def _most(optimiser: Optimiser, population: int, iterations: int) -> int:

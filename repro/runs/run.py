@@ -1,18 +1,21 @@
 """One run and its record: the same bits wherever and whenever it is made."""
 
 import time
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from repro.determinism.plain_costs import releases_interpreter
 from repro.determinism.seeds import generator
-from repro.optimisers.search import HoldsInterpreter
+from repro.optimisers.search import HoldsInterpreter, hands_to_search
 from repro.runs.plan import Task
 from repro.runs.rules import Given, fault
 
 Vector = NDArray[np.float64]
+_SHOWN = 300  # characters of a message that a reason shows
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -55,7 +58,7 @@ def execute(task: Task) -> Record:
             evaluations=task.evaluations,
         )
     except (Exception, SystemExit) as error:  # noqa: BLE001 (one run's fault costs no other)
-        return failed(task, f"{type(error).__name__}: {error}", time.perf_counter() - start)
+        return failed(task, _told(error), time.perf_counter() - start)
     if reason:
         return failed(task, reason, seconds)
     return Record(
@@ -74,6 +77,12 @@ def _budget(task: Task) -> dict[str, int]:
     return {"evaluations": task.evaluations}
 
 
+def _told(error: BaseException) -> str:
+    """Return what was raised, in one line."""
+    says = " ".join(str(error).split())
+    return f"{type(error).__name__}: {says if len(says) <= _SHOWN else f'{says[:_SHOWN]}…'}"
+
+
 def failed(task: Task, reason: str, seconds: float) -> Record:
     """Return the record of a run that has no result."""
     nothing = np.zeros(0)
@@ -86,13 +95,19 @@ def failed(task: Task, reason: str, seconds: float) -> Record:
 def holds_interpreter(task: Task) -> bool:
     """Return whether a run keeps other threads from running, so that it needs its own process.
 
-    Compiled searches do not. A search or a problem in plain Python says so by an attribute
-    `holds_interpreter` that is true.
+    A search or a problem may say so by `holds_interpreter`. Of those that do not, a search does
+    unless its `minimise` hands a kernel to `repro.optimisers.search.search`, and a problem does
+    unless its cost is compiled.
     """
-    return any(
-        isinstance(part, HoldsInterpreter) and part.holds_interpreter
-        for part in (task.optimiser, task.subject)
+    return _holds(task.optimiser, hands_to_search) or _holds(
+        task.subject, lambda subject: releases_interpreter(subject.kernel)
     )
+
+
+def _holds(part: Any, is_free: Callable[[Any], bool]) -> bool:  # noqa: ANN401 (the user's own)
+    if isinstance(part, HoldsInterpreter):
+        return part.holds_interpreter
+    return not is_free(part)
 
 
 def execute_all(tasks: tuple[Task, ...]) -> list[Record]:

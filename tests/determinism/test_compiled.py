@@ -39,4 +39,4 @@ def test_rooms_that_compile_are_found() -> None:
     package = Path(compiled.__file__).parents[1]
     rooms = {p.parent.name for p in package.rglob("*.py") if marker in p.read_text("utf-8")}
 
-    assert rooms == {"determinism", "functions", "optimisers", "libraries", "robotics"}
+    assert rooms == {"determinism", "functions", "optimisers", "robotics"}

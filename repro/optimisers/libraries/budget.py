@@ -8,13 +8,13 @@ from typing import Unpack
 import numpy as np
 from numpy.typing import NDArray
 
-from repro.determinism.compiled import COST, ready
+from repro.determinism.plain_costs import callable_cost
 from repro.optimisers.search import (
     Budget,
     Problem,
     Result,
-    _checked_bounds,
     _iterations,
+    checked_bounds,
     every_agent_once,
 )
 
@@ -31,17 +31,21 @@ class CountedCost:
 
     A coordinate whose bounds are equal is not searched: `bounds`, shape (free, 2), and the points
     that are asked for, shape (free,), leave it out. A point outside its bounds counts as the
-    nearest one inside.
+    nearest one inside, unless the search is not `held`.
     """
 
-    def __init__(self, problem: Problem, *, population: int, iterations: int) -> None:
+    def __init__(
+        self, problem: Problem, *, population: int, iterations: int, held: bool = True
+    ) -> None:
         """Prepare for `population` times `iterations` evaluations; InputError for bad bounds."""
-        box = _checked_bounds(problem)
+        box = checked_bounds(problem)
         self.free = box[:, 0] < box[:, 1]
         self._held = None if self.free.all() else box[:, 0]
         self.bounds = box[self.free]
         self._lower, self._upper = np.ascontiguousarray(self.bounds.T)
-        self._cost = ready(problem.kernel, COST)
+        if not held:
+            self._lower, self._upper = np.full_like(self.bounds.T, [[-np.inf], [np.inf]])
+        self._cost = callable_cost(problem.kernel)
         self._data = np.ascontiguousarray(problem.data, dtype=np.float64)
         self._population = population
         self._budget = population * iterations
@@ -49,6 +53,11 @@ class CountedCost:
         self._best = box[:, 0]
         self._best_cost = np.inf
         self._history: list[float] = []
+
+    @property
+    def left(self) -> int:
+        """How many more points may be asked for."""
+        return self._budget - self._spent
 
     def __call__(self, x: Vector) -> float:
         """Return the cost of a point, `WORST` for one that is not finite; BudgetSpent at the end.
@@ -94,13 +103,7 @@ def until_spent(strategy: Strategy, problem: Problem, **budget: Unpack[Budget]) 
     """
     from threadpoolctl import threadpool_limits  # noqa: PLC0415 (only these searches need it)
 
-    population = budget["population"]
-    steps = _iterations(
-        every_agent_once(population),
-        iterations=budget.get("iterations"),
-        evaluations=budget.get("evaluations"),
-    )
-    cost = CountedCost(problem, population=population, iterations=steps)
+    cost = CountedCost(problem, population=budget["population"], iterations=iterations_of(budget))
     with threadpool_limits(1), warnings.catch_warnings():
         warnings.simplefilter("ignore")
         try:
@@ -111,6 +114,15 @@ def until_spent(strategy: Strategy, problem: Problem, **budget: Unpack[Budget]) 
                     cost(np.empty(0))
         except BudgetSpent:
             return cost.result()
+
+
+def iterations_of(budget: Budget) -> int:
+    """Return the whole iterations that a budget pays for, where each agent is evaluated once."""
+    return _iterations(
+        every_agent_once(budget["population"]),
+        iterations=budget.get("iterations"),
+        evaluations=budget.get("evaluations"),
+    )
 
 
 def release(package: str) -> str:
