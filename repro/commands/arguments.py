@@ -4,6 +4,8 @@ import argparse
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+from repro.commands.audit_settings import add_audit_options, audit_command
+
 DEFAULT_REPEATS = 10
 STORE, REPORTS, PRIVATE = Path(".repro"), Path("reports"), Path("reports-private")
 _AGAIN = (
@@ -29,6 +31,8 @@ def parsed(arguments: Sequence[str] | None = None) -> argparse.Namespace:
     options, unknown = parser().parse_known_args(arguments)
     if unknown:
         options.named.error(f"unrecognized arguments: {' '.join(unknown)}")
+    if options.command == "audit":
+        options.command = audit_command(options.keys, vars(options))
     return options
 
 
@@ -46,6 +50,7 @@ def parser() -> argparse.ArgumentParser:
     _add_names(parsers)
     _add_runs(parsers)
     _add_places(parsers)
+    add_audit_options(parsers["audit"])
     for name in ("list", "audit", "certify", "references", "verify", "flips"):
         parsers[name].add_argument("--json", action="store_true", help="print JSON")
     return whole

@@ -36,7 +36,7 @@ _UNIT = re.compile(
     r"(?P<rest>.*[0-9]\.?|.*π)\s?(?P<unit>[^\W\d_%°][^0-9()±]*(?:\^?[23])?|[%°][^0-9()±]*(?:\^[23])?)"
 )
 _PAIR = re.compile(
-    r"(?P<first>.*?[0-9.])\s?(?:(?:±|\+/-|\+-|\+ ?/ ?-)\s?(?P<after>[^()\[\]]+)"
+    r"(?P<first>.*?[0-9.](?:\s?[†‡*§¶])?)\s?(?:(?:±|\+/-|\+-|\+ ?/ ?-)\s?(?P<after>[^()\[\]]+)"
     r"|\(\s?(?P<round>[-+.0-9][^()]*)\)|\[\s?(?P<square>[-+.0-9][^\[\]]*)\])\s?(?P<mark>[^0-9]*|\([0-9]{1,2}\))"
 )
 _BRACKETED = re.compile(
@@ -216,6 +216,10 @@ def _no_number(text: str) -> NoNumber:
     bound = _BOUND.fullmatch(text)
     if bound and isinstance(_bare(bound["rest"].strip()), NumberForm):
         return NoNumber(f"it is a bound ({bound['side']}), not a value")
-    if _SPREAD_AFTER.fullmatch(text) or _PAIR.fullmatch(text):
+    two = _SPREAD_AFTER.fullmatch(text)
+    known = two and _no_number(two["first"].strip())
+    if known and known.known:
+        return known
+    if two or _PAIR.fullmatch(text):
         return NoNumber("two numbers stand in one cell", known=False)
     return NoNumber("", known=False)

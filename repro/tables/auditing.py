@@ -1,0 +1,202 @@
+"""The audit of tables that are read from anywhere: what is read, guessed and found."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import asdict, dataclass
+from fractions import Fraction
+from typing import Any
+
+from repro.tables.audit_options import AuditOptions, Guess
+from repro.tables.block_checks import block_rows
+from repro.tables.blocks import Block, FunctionBounds
+from repro.tables.gathered import Entry, Gathered, Skipped, gathered, numbered
+from repro.tables.grids import Grid
+from repro.tables.guesses import guess_lines, guessed_runs, is_maximised
+from repro.tables.possible_runs import TRIED, least_runs, rows_at_any_number
+from repro.tables.repeats import repeat_rows
+from repro.tables.rows import AuditRow
+from repro.tables.spreads import as_std
+from repro.tables.texts import Form, tables_in
+
+_TITLE = 60
+_SHOWN = 6  # blocks that a line names
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class AuditedTable:
+    """A table as it is printed, what was read and guessed, and what the audit says of it.
+
+    `places` has the line and column, in `grid`, of each (row, column) that a row names.
+    """
+
+    file: str
+    label: str
+    grid: Grid
+    cells: int
+    blocks: int
+    runs: int | None
+    skipped: tuple[Skipped, ...]
+    guesses: tuple[Guess, ...]
+    rows: tuple[AuditRow, ...]
+    places: Mapping[tuple[str, str], tuple[int, int]]
+
+    @property
+    def proofs(self) -> tuple[AuditRow, ...]:
+        """The rows that hold without any condition."""
+        return tuple(row for row in self.rows if row.is_proof)
+
+    def as_json(self) -> dict[str, Any]:
+        """Return what `--json` prints of it."""
+        read = {
+            "cells": self.cells,
+            "skipped": [asdict(each) for each in self.skipped],
+            "guesses": [guess.says for guess in self.guesses],
+        }
+        return {"file": self.file, "read": read, "rows": [asdict(row) for row in self.rows]}
+
+
+def audit_text(
+    text: str, options: AuditOptions, *, file: str = "-", form: Form | None = None
+) -> list[AuditedTable]:
+    """Return the audit of every table of a text; InputError where there are too many cells."""
+    return audited(tables_in(text, form), options, file=file, context=text[:20000])
+
+
+def audited(
+    grids: Sequence[Grid], options: AuditOptions, *, file: str, context: str = ""
+) -> list[AuditedTable]:
+    """Return the audit of tables; `context` is text that may tell the number of runs."""
+    found = []
+    for k, grid in enumerate(grids):
+        label = _label(grid, k, len(grids))
+        table = gathered(grid, label)
+        if table.entries:
+            found.append(_audited(table, grid, options, file=file, context=context))
+    return found
+
+
+def _label(grid: Grid, k: int, tables: int) -> str:
+    title = grid.title if len(grid.title) <= _TITLE else f"{grid.title[:_TITLE]}…"
+    if not title:
+        return f"table {k + 1}"
+    return f"table {k + 1} ({title})" if tables > 1 else title
+
+
+def _audited(
+    table: Gathered, grid: Grid, options: AuditOptions, *, file: str, context: str
+) -> AuditedTable:
+    runs, guess = guessed_runs(table, context, options)
+    parts = _parts(table.entries)
+    maximised = options.maximise if options.maximise is not None else is_maximised(parts)
+    blocks = [
+        block for part in parts if (block := _block(part, runs, options, maximised=maximised))
+    ]
+    told = [guess] if guess else []
+    open_n = list(_possible(blocks)) if runs is None else []
+    return AuditedTable(
+        file=file,
+        label=table.label,
+        grid=grid,
+        cells=len(table.entries),
+        blocks=len(blocks),
+        runs=runs,
+        skipped=table.skipped,
+        guesses=(*told, *open_n, *guess_lines(table, options, maximised=maximised)),
+        rows=tuple(_rows(file, blocks, runs)),
+        places={(e.number.row, e.number.column): (e.i, e.j) for e in table.entries},
+    )
+
+
+def _parts(entries: Sequence[Entry]) -> list[dict[str, Entry]]:
+    parts: dict[tuple[str, str, int], dict[str, Entry]] = {}
+    for key, entry in numbered(entries):
+        parts.setdefault(key, {})[entry.statistic] = entry
+    return list(parts.values())
+
+
+def _block(
+    part: Mapping[str, Entry], runs: int | None, options: AuditOptions, *, maximised: bool
+) -> Block | None:
+    """Return the block of some numbers, the lowest of them named its best."""
+    low, high = ("worst", "best") if maximised else ("best", "worst")
+    numbers = {name: entry.number for name, entry in part.items()}
+    own_names = {low: "best", "lowest": "best", high: "worst", "highest": "worst"}
+    cells = {own_names[name]: number for name, number in numbers.items() if name in own_names}
+    cells |= {name: numbers[name] for name in ("mean", "median") if name in numbers}
+    for kind in ("std", "variance", "sem"):
+        if kind in numbers and "std" not in cells:
+            own = options.spread or "std" if kind == "std" else kind
+            std = as_std(numbers[kind], own, runs)
+            cells |= {"std": std} if std else {}
+    if not cells:
+        return None
+    entry = next(iter(part.values()))
+    return Block(
+        problem_name=entry.problem or entry.algorithm,
+        algorithm=entry.algorithm,
+        quantity="cost",
+        n=runs or TRIED[0],
+        cells=cells,
+        scientific=any(number.printed.power is not None for number in numbers.values()),
+        function=_bounds(entry.problem, options, maximised=maximised),
+    )
+
+
+def _bounds(problem: str, options: AuditOptions, *, maximised: bool) -> FunctionBounds | None:
+    """Return what is told of the values of a problem."""
+    for names in (options.functions, options.minimum):
+        for name in (problem, problem.split(" ", maxsplit=1)[0], ""):
+            told = _named(names, name)
+            if isinstance(told, FunctionBounds):
+                return told
+            if isinstance(told, Fraction):
+                return _floor(told, f"{name or 'the problem'}, as told,")
+    return _floor(Fraction(0), "an error") if options.errors and not maximised else None
+
+
+def _named(names: Mapping[str, Any], name: str) -> Any:  # noqa: ANN401 (a bound or a number)
+    return next((told for key, told in names.items() if _letters(key) == _letters(name)), None)
+
+
+def _letters(name: str) -> str:
+    return "".join(filter(str.isalnum, name.lower()))
+
+
+def _floor(minimum: Fraction, title: str) -> FunctionBounds:
+    return FunctionBounds(
+        title=title,
+        minimum=minimum,
+        floor=minimum - abs(minimum) / 2**40,
+        floor_in_singles=minimum - abs(minimum) / 2**12,
+        fixed=(float(minimum),),
+    )
+
+
+def _rows(file: str, blocks: Sequence[Block], runs: int | None) -> Iterator[AuditRow]:
+    for block in blocks:
+        if runs is not None:
+            yield from block_rows(file, block)
+        else:
+            yield from rows_at_any_number(block, lambda b: list(block_rows(file, b)))
+    yield from repeat_rows(file, blocks)
+
+
+def _possible(blocks: Sequence[Block]) -> Iterator[Guess]:
+    """Yield from which number of runs on the blocks are possible."""
+    least = [(least_runs(block, lambda b: list(block_rows("", b))), block) for block in blocks]
+    usual = sum(n == TRIED[0] for n, _ in least)
+    if not least:
+        return
+    more = [
+        f"{_name(block)} from n = {n}" if n else f"{_name(block)} for no n up to {TRIED[-1]}"
+        for n, block in least
+        if n != TRIED[0]
+    ]
+    shown = f"; {'; '.join(more[:_SHOWN])}{'; …' * (len(more) > _SHOWN)}" if more else ""
+    yield Guess(
+        says=f"without n, {usual} of {len(least)} blocks can be from n = {TRIED[0]} on{shown}",
+        option="runs",
+    )
+
+
+def _name(block: Block) -> str:
+    return " of ".join(filter(None, dict.fromkeys((block.problem_name, block.algorithm))))

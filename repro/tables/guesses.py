@@ -1,0 +1,72 @@
+"""What is not told of a table: the number of runs, the sense, what the spread is."""
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from repro.tables.audit_options import SPREADS, AuditOptions, Guess
+from repro.tables.gathered import VALUE, Entry, Gathered
+from repro.tables.headings import runs_in
+
+LEAST_RUNS = 2
+
+
+def guessed_runs(
+    table: Gathered, context: str, options: AuditOptions
+) -> tuple[int | None, Guess | None]:
+    """Return the number of runs with where it is from; None where nothing or too much tells it."""
+    if options.runs is not None:
+        return options.runs, Guess(says=f"n = {options.runs} as told", option="runs")
+    for text, place in ((table.text, "the caption"), (context, "the text of the file")):
+        told = {n: words for n, words in runs_in(text) if n >= LEAST_RUNS}
+        if len(told) == 1:
+            n, words = next(iter(told.items()))
+            return n, Guess(says=f'n = {n} from {place} ("{words}")', option="runs", value=str(n))
+        if told:
+            says = f"n is left open: {place} tells {', '.join(map(str, sorted(told)))}"
+            return None, Guess(says=says, option="runs")
+    return None, Guess(says="n is not told", option="runs")
+
+
+def is_maximised(blocks: Sequence[Mapping[str, Entry]]) -> bool:
+    """Say whether, wherever a best stands with a worst or mean, it is never the lower one."""
+    above = below = 0
+    for block in blocks:
+        best = block.get("best")
+        other = block.get("worst") or block.get("mean")
+        if best is not None and other is not None:
+            one, two = best.number.printed.value, other.number.printed.value
+            above += one > two
+            below += one < two
+    return above > 0 and below == 0
+
+
+def guess_lines(table: Gathered, options: AuditOptions, *, maximised: bool) -> Iterator[Guess]:
+    """Yield what is taken for granted, but for the number of runs."""
+    for note in table.notes:
+        yield Guess(says=note)
+    renamed = [f'"{word}" is {name}' for word, name in table.words.items()]
+    if renamed:
+        yield Guess(says=f"headings: {', '.join(renamed[:12])}{', …' * (len(renamed) > 12)}")
+    if table.pairs[0]:
+        yield Guess(says=f"of two numbers in one cell the second is the {table.pairs[1]}")
+    values = sum(entry.statistic == VALUE for entry in table.entries)
+    if values:
+        yield Guess(says=f"no heading names a statistic for {values} numbers: they are not checked")
+    yield _sense(options, maximised=maximised)
+    if any(entry.statistic == "std" for entry in table.entries) and options.spread is None:
+        yield Guess(
+            says="the spread is a standard deviation", option="spread", value="std", choices=SPREADS
+        )
+
+
+def _sense(options: AuditOptions, *, maximised: bool) -> Guess:
+    if options.maximise is not None:
+        sense = "maximisation" if options.maximise else "minimisation"
+        return Guess(says=f"{sense} as told", option="maximise")
+    if maximised:
+        return Guess(
+            says="maximisation? wherever a best stands it is the greater value; --minimise says no",
+            option="maximise",
+            value="yes",
+            choices=("yes", "no"),
+        )
+    return Guess(says="minimisation", option="maximise", value="no", choices=("yes", "no"))

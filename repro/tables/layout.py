@@ -1,0 +1,192 @@
+"""What each cell of a grid stands under: headings of lines and of columns."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from repro.tables.grids import Grid
+from repro.tables.headings import (
+    heads_algorithms,
+    heads_problems,
+    heads_statistics,
+    is_statistic,
+)
+from repro.tables.markup import plain
+from repro.tables.numbers import NumberForm, number_form, split_pair
+
+_MOST_HEADINGS = 4
+_LONG = 60  # letters of a lone text below the numbers that is a note
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Label:
+    """A text that a cell stands under, and the heading of the column of that text, if any."""
+
+    text: str
+    heading: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class GridCell:
+    """A text where a number is expected, at line `i` and column `j` of its grid."""
+
+    text: str
+    i: int
+    j: int
+    row: tuple[Label, ...]
+    column: tuple[Label, ...]
+
+    @property
+    def row_name(self) -> str:
+        """The labels of its line."""
+        return " ".join(label.text for label in self.row if label.text) or f"line {self.i + 1}"
+
+    @property
+    def column_name(self) -> str:
+        """The labels of its column."""
+        return " ".join(label.text for label in self.column if label.text) or f"column {self.j + 1}"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Layout:
+    """The cells of a table, and lone texts that stand below some of them."""
+
+    cells: tuple[GridCell, ...]
+    footers: tuple[str, ...]
+
+
+def looks_numeric(text: str) -> bool:
+    """Say whether a text is a number, two of them, or one of the usual stand-ins for one."""
+    form = number_form(text)
+    return isinstance(form, NumberForm) or form.known or _is_pair(text)
+
+
+def _is_pair(text: str) -> bool:
+    if split_pair(text) is not None:
+        return True
+    parts = plain(text).split("/")
+    return 2 <= len(parts) <= 3 and all(_is_number(part.strip()) for part in parts)
+
+
+def _is_number(text: str) -> bool:
+    return isinstance(number_form(text.strip("()")), NumberForm)
+
+
+def layout(grid: Grid) -> Layout:
+    """Return the cells of a table with all that they stand under."""
+    lines = grid.lines
+    top = _heading_lines(lines)
+    first = _first_value_column(lines, top)
+    heads = _heads(lines[:top], first, len(lines[0]))
+    above: list[str] = [""] * first
+    group = ""
+    footers: list[str] = []
+    cells: list[GridCell] = []
+    waiting: list[Sequence[str]] = []  # heading lines that repeat among the numbers
+    for i in range(top, len(lines)):
+        line = lines[i]
+        filled = [text for text in line if text]
+        if not filled:
+            continue
+        numbers = sum(_is_number(text) or _is_pair(text) for text in line[first:])
+        if not numbers and len(filled) == 1:
+            later = any(any(map(_is_number, below[first:])) for below in lines[i + 1 :])
+            if later and len(filled[0]) < _LONG:
+                group = filled[0]
+            else:
+                footers.append(filled[0])
+            continue
+        if not numbers and not any(looks_numeric(text) for text in line[first:] if text):
+            waiting.append(line)
+            continue
+        if waiting:
+            heads, waiting, group = _heads(waiting, first, len(line)), [], ""
+        if first:
+            above = [text or old for text, old in zip(line[:first], above, strict=True)]
+        cells.extend(_cells(i, line, (group, above, heads)))
+    return Layout(cells=tuple(_of_columns_with_numbers(cells)), footers=tuple(footers))
+
+
+def _cells(
+    i: int, line: Sequence[str], place: tuple[str, Sequence[str], Sequence[tuple[str, ...]]]
+) -> Iterator[GridCell]:
+    group, labels, heads = place
+    first = len(labels)
+    row = (
+        *([Label(text=plain(group))] if group else []),
+        *(
+            Label(text=plain(text), heading=" ".join(heads[j]))
+            for j, text in enumerate(labels)
+            if text
+        ),
+    )
+    for j in range(first, len(line)):
+        if line[j]:
+            column = tuple(Label(text=text) for text in heads[j] if text)
+            yield GridCell(text=line[j], i=i, j=j, row=row, column=column)
+
+
+def _of_columns_with_numbers(cells: Sequence[GridCell]) -> list[GridCell]:
+    """Return the cells but for columns of words or of marks alone."""
+    with_numbers = {cell.j for cell in cells if _is_number(cell.text) or _is_pair(cell.text)}
+    return [cell for cell in cells if cell.j in with_numbers]
+
+
+def _heading_lines(lines: Sequence[Sequence[str]]) -> int:
+    """Return how many lines at the top are headings: those before the first line of numbers."""
+    for i, line in enumerate(lines[: _MOST_HEADINGS + 1]):
+        rest = [text for text in line[1:] if text]
+        numbers = [text for text in rest if looks_numeric(text)]
+        sure = [text for text in rest if _is_number(text) or _is_pair(text)]
+        if sure and 2 * len(numbers) >= len(rest) and not _is_heading_of_sizes(lines, i):
+            return i
+    return min(1, len(lines))
+
+
+def _is_heading_of_sizes(lines: Sequence[Sequence[str]], i: int) -> bool:
+    """Say whether a line of whole numbers heads columns: the next one names statistics."""
+    below = lines[i + 1] if i + 1 < len(lines) else ()
+    return sum(is_statistic(text) for text in below if text) >= 2 and not any(
+        _is_number(text) for text in below[1:]
+    )
+
+
+def _first_value_column(lines: Sequence[Sequence[str]], top: int) -> int:
+    """Return how many columns at the left hold labels."""
+    width = len(lines[0])
+    for j in range(width - 1):
+        heading = [line[j] for line in lines[:top] if line[j]]
+        texts = [line[j] for line in lines[top:] if line[j]]
+        if not _holds_labels(heading, texts, leftmost=j == 0):
+            return j
+    return width - 1
+
+
+def _holds_labels(heading: Sequence[str], texts: Sequence[str], *, leftmost: bool) -> bool:
+    if not texts:
+        return True
+    if any(is_statistic(text) for text in heading):
+        return False
+    if 2 * sum(not looks_numeric(text) for text in texts) > len(texts):
+        return True
+    named = any(
+        heads_problems(text) or heads_algorithms(text) or heads_statistics(text) for text in heading
+    )
+    whole = all(text.isascii() and text.isdigit() for text in texts)
+    if named:
+        return whole or any(not looks_numeric(text) for text in texts)
+    counted = [int(text) for text in texts if len(text) < 6] if whole else []
+    return leftmost and not heading and len(counted) > 1 and counted == sorted(counted)
+
+
+def _heads(lines: Sequence[Sequence[str]], first: int, width: int) -> list[tuple[str, ...]]:
+    """Return the headings of every column; an empty one belongs to the one at its left."""
+    filled = []
+    for k, line in enumerate(lines):
+        texts = [plain(text) for text in line]
+        is_upper = k < len(lines) - 1
+        for j in range(first + 1, len(texts)):
+            lower = any(below[j] for below in lines[k + 1 :])
+            if not texts[j] and (lower if is_upper else not any(up[j] for up in lines[:k])):
+                texts[j] = texts[j - 1]
+        filled.append(texts)
+    return [tuple(dict.fromkeys(t[j] for t in filled if t[j])) for j in range(width)]

@@ -1,0 +1,34 @@
+"""The numbers of runs that a block allows, where no number of runs is told."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+from repro.tables.blocks import Block
+from repro.tables.rows import AuditRow
+
+TRIED = (*range(2, 31), 35, 40, 50, 51, 60, 75, 100, 150, 200, 300, 500, 1000)
+Check = Callable[[Block], Sequence[AuditRow]]
+
+
+def least_runs(block: Block, rows: Check) -> int | None:
+    """Return the smallest number of runs for which a block can be; None where none of those tried.
+
+    Rows that need more than the usual count, too: they say what is unlikely.
+    """
+    return next((n for n in TRIED if not rows(replace(block, n=n))), None)
+
+
+def rows_at_any_number(block: Block, rows: Check) -> list[AuditRow]:
+    """Return the rows of a block that no number of runs tried allows.
+
+    Those that differ with it hold up to the greatest that was tried, and say so.
+    """
+    few, many = (rows(replace(block, n=n)) for n in (TRIED[0], TRIED[-1]))
+    same = {(row.check, row.column, row.explanation) for row in few}
+    told = f"the number of runs is at most {TRIED[-1]}"
+    return [
+        row
+        if (row.check, row.column, row.explanation) in same
+        else replace(row, condition=f"{row.condition}, and {told}" if row.condition else told)
+        for row in many
+    ]

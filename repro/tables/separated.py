@@ -1,0 +1,139 @@
+"""Grids of CSV, TSV, Markdown and pasted text."""
+
+import csv
+import re
+from collections import Counter
+from collections.abc import Iterator, Sequence
+
+from repro.tables.grids import Grid, grid
+from repro.tables.markup import plain
+from repro.tables.numbers import NumberForm, number_form
+
+_RULE = re.compile(r"[\s|:+=_─━═┼│—-]*")
+_COMMA_NUMBER = re.compile(r"[-+−]?(?:\d{1,3}(?:\.\d{3})+|\d+),\d+(?:[eE][-+−]?\d+)?%?")
+_GROUPED = re.compile(r"[-+−]?[1-9]\d{0,2}(?:,\d{3})+")
+_POINT_NUMBER = re.compile(r"[-+−]?\d*\.\d+(?:[eE][-+−]?\d+)?%?")
+_HEADING = re.compile(r"#{1,6}\s+|\*\*|__|(?=tab(?:le|\.)\s)|:\s+", re.IGNORECASE)
+_LONGEST_FIELD = 100_000
+_SPACES = re.compile(r"\t+|\s{2,}")
+
+
+def separated_grid(text: str, title: str = "") -> Grid:
+    """Return the grid of CSV or TSV: the separator is the one that gives the most even lines."""
+    lines = text.splitlines()
+    rows = max((_rows(lines, mark) for mark in ",;\t|"), key=_evenness)
+    return _with_points(grid(title, rows))
+
+
+def _rows(lines: Sequence[str], mark: str) -> list[list[str]]:
+    csv.field_size_limit(_LONGEST_FIELD)
+    try:
+        return list(csv.reader(lines, delimiter=mark, skipinitialspace=True))
+    except csv.Error:
+        return []
+
+
+def _evenness(rows: Sequence[Sequence[str]]) -> tuple[float, int]:
+    """Return how many lines are of the usual length, if that is above 1, and that length."""
+    lengths = Counter(len(row) for row in rows if any(row))
+    longer = {length: times for length, times in lengths.items() if length > 1}
+    if not longer:
+        return 0.0, 0
+    usual = max(longer, key=lambda length: (longer[length], length))
+    return sum(longer.values()) / lengths.total() + longer[usual] / lengths.total(), usual
+
+
+def _with_points(whole: Grid) -> Grid:
+    """Return the grid with decimal points, where its numbers have decimal commas."""
+    texts = [text for line in whole.lines for text in line]
+    commas = [text for text in texts if _COMMA_NUMBER.fullmatch(text)]
+    if not commas or all(_GROUPED.fullmatch(text) for text in commas):
+        return whole
+    if any(_POINT_NUMBER.fullmatch(text) for text in texts):
+        return whole
+    lines = [
+        [
+            text.replace(".", "").replace(",", ".") if _COMMA_NUMBER.fullmatch(text) else text
+            for text in line
+        ]
+        for line in whole.lines
+    ]
+    notes = (*whole.notes, f"decimal commas, as in {commas[0]}, are read as points")
+    return Grid(title=whole.title, lines=tuple(map(tuple, lines)), notes=notes)
+
+
+def _pointed(text: str) -> str:
+    return text.replace(".", "").replace(",", ".")
+
+
+def piped_grids(text: str) -> list[Grid]:
+    """Return the grids of Markdown: lines with pipes, titled by the line before them."""
+    found: list[Grid] = []
+    title = ""
+    lines: list[list[str]] = []
+    for line in (*text.splitlines(), ""):
+        if line.count("|") > (0 if lines else 1) or (line.count("|") == 1 and len(line) > 2):
+            if not _RULE.fullmatch(line):
+                lines.append(_fields(line))
+            continue
+        if lines:
+            found.append(_with_points(grid(title, lines)))
+            title, lines = "", []
+        if line.strip():
+            title = _HEADING.sub("", line.strip(), count=1).rstrip("*_ ")
+    return found
+
+
+def _fields(line: str) -> list[str]:
+    inner = line.strip().removeprefix("|")
+    inner = inner[:-1] if inner.endswith("|") and not inner.endswith("\\|") else inner
+    return [field.replace("\\|", "|") for field in re.split(r"(?<!\\)\|", inner)]
+
+
+def pasted_grid(text: str) -> Grid:
+    """Return the grid of text whose columns stand apart by tabs or two spaces, or else by one."""
+    lines = [line.strip("\n") for line in text.splitlines() if not _is_rule(line)]
+    apart = [_apart(line) for line in lines]
+    if _evenness(apart)[0] > 1:
+        return _with_points(grid("", _in_columns(lines, apart)))
+    return _with_points(grid("", list(_by_single_spaces(lines))))
+
+
+def _is_rule(line: str) -> bool:
+    return bool(line.strip()) and _RULE.fullmatch(line) is not None
+
+
+def _apart(line: str) -> list[str]:
+    if "\t" in line:
+        return line.split("\t")
+    return _SPACES.split(line.strip()) if line.strip() else []
+
+
+def _in_columns(lines: Sequence[str], apart: Sequence[list[str]]) -> Iterator[list[str]]:
+    """Yield the fields of each line; an indented line that is short by some lacks the first."""
+    usual = _evenness(apart)[1]
+    for line, fields in zip(lines, apart, strict=True):
+        short = usual - len(fields)
+        indented = line[:1].isspace() and "\t" not in line
+        yield (
+            [""] * short + fields if 0 < short < usual and indented and len(fields) > 1 else fields
+        )
+
+
+def _by_single_spaces(lines: Sequence[str]) -> Iterator[list[str]]:
+    """Yield words and numbers; where a line has more words than usual the first ones are one."""
+    rows = [list(_tokens(line)) for line in lines]
+    lengths = Counter(
+        len(row) for row in rows if sum(isinstance(number_form(t), NumberForm) for t in row) > 1
+    )
+    usual = max(lengths, key=lambda length: (lengths[length], length), default=0)
+    for row in rows:
+        extra = len(row) - usual
+        yield [" ".join(row[: extra + 1]), *row[extra + 1 :]] if 0 < extra < len(row) else row
+
+
+def _tokens(line: str) -> Iterator[str]:
+    """Yield what stands apart by spaces, but for a ± b, a (b) and a × 10^b, which are one."""
+    joined = re.sub(r"\s*(±|\+/-|×|\\pm|\\times)\s*", r"\1", plain(line))
+    joined = re.sub(r"(?<=\d) (?=\([-+.\d=≈]+\))", "", joined)
+    yield from joined.split()
