@@ -14,6 +14,7 @@ from repro.audit.poses import pose_rows
 from repro.audit.sentences import sentence_rows
 from repro.audit.times import time_rows
 from repro.model.paper import Paper
+from repro.tables.derived import equal_rows, formula_rows, ratio_rows
 from repro.tables.doubles import double_rows
 from repro.tables.inputs import range_rows, same_rows, spacing_rows
 from repro.tables.order import order_rows
@@ -21,20 +22,24 @@ from repro.tables.probabilities import p_value_rows
 from repro.tables.ranks import rank_rows
 from repro.tables.relations import (
     AverageRank,
+    ByFormula,
+    Equal,
     EqualSpacing,
     InRange,
     Less,
+    Mean,
     PercentLower,
     PrintedPoses,
     PValues,
     Relation,
     SameNumbers,
     Sum,
+    Times,
 )
 from repro.tables.repeats import repeat_rows
 from repro.tables.rows import AuditRow, CellPlace, Grade
 from repro.tables.spread import spread_rows
-from repro.tables.sums import difference_rows, percentage_rows, sum_rows
+from repro.tables.sums import difference_rows, mean_rows, percentage_rows, sum_rows
 
 __all__ = ["AuditRow", "CellPlace", "Grade", "audit"]
 
@@ -61,6 +66,10 @@ def _relation_rows(paper: str, relation: Relation) -> Iterator[AuditRow]:
     checks: dict[type, Callable[[str, Any], Iterator[AuditRow]]] = {
         Sum: sum_rows,
         Less: difference_rows,
+        Mean: mean_rows,
+        Equal: equal_rows,
+        Times: ratio_rows,
+        ByFormula: formula_rows,
         PercentLower: percentage_rows,
         AverageRank: rank_rows,
         PValues: p_value_rows,

@@ -68,9 +68,12 @@ from repro.model.woa_readings import (
 from repro.tables.published import NOTHING, UNITS, Printed, PublishedTable
 from repro.tables.relations import (
     AverageRank,
+    ByFormula,
+    Equal,
     EqualSpacing,
     InRange,
     Less,
+    Mean,
     Number,
     PercentLower,
     PrintedPoses,
@@ -80,6 +83,7 @@ from repro.tables.relations import (
     Sum,
     TableCell,
     TextNumber,
+    Times,
     column_cells,
     equally_spaced,
     row_cells,

@@ -1,11 +1,13 @@
 """What printed numbers must be to each other: declared by papers, recomputed by the audit."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Literal
 
 from repro.errors import DeclarationError
+from repro.tables.formulas import check_formula
 from repro.tables.published import Printed, PublishedTable
+from repro.tables.true_numbers import Span
 
 RankTest = Literal["rank-sum", "signed-rank"]
 
@@ -67,19 +69,75 @@ Number = Cell | TextNumber
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Sum:
-    """`total` is the sum of `addends`."""
+    """`total` is the sum of `addends`; whole numbers are not rounded where it is `exact`."""
 
     total: Number
     addends: tuple[Number, ...]
+    exact: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Less:
-    """`printed` is `before` less `after`."""
+    """`printed` is `before` less `after`; whole numbers are not rounded where it is `exact`."""
 
     printed: Number
     before: Number
     after: Number
+    exact: bool = False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Equal:
+    """The numbers are one and the same, by what the paper says of them."""
+
+    numbers: tuple[Number, ...]
+    exact: bool = False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Times:
+    """`printed` says how many times `of` is as large as `to`."""
+
+    printed: Number
+    of: Number
+    to: Number
+    exact: bool = False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Mean:
+    """`mean` is the average of `numbers`; where it is `exact`, whole ones are not rounded."""
+
+    mean: Number
+    numbers: tuple[Number, ...]
+    exact: bool = False
+
+    def __post_init__(self) -> None:
+        """Raise DeclarationError where nothing is averaged."""
+        if not self.numbers:
+            message = f"{self.mean.where}: a mean of no numbers"
+            raise DeclarationError(message)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ByFormula:
+    """`printed` follows from `numbers` by a formula, all in the units that they are printed in.
+
+    The formula is a text such as "100 * (old - new) / old", or a function that takes spans by
+    these names and returns the span of its value. Numbers that are `exact` and whole are not
+    rounded. A name that stands in a formula twice makes its span wider than it need be, so that
+    fewer errors are found, and none where there is none.
+    """
+
+    printed: Number
+    formula: str | Callable[..., Span]
+    numbers: Mapping[str, Number]
+    exact: bool = False
+
+    def __post_init__(self) -> None:
+        """Raise DeclarationError where the text is no formula of these names."""
+        if isinstance(self.formula, str):
+            check_formula(self.formula, self.numbers)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -194,6 +252,10 @@ class PrintedPoses:
 Relation = (
     Sum
     | Less
+    | Equal
+    | Times
+    | Mean
+    | ByFormula
     | PercentLower
     | AverageRank
     | PValues

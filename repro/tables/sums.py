@@ -1,42 +1,68 @@
 """Sums, differences and percentages recomputed from the numbers that they are made of."""
 
 import itertools
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator
 from fractions import Fraction
 from functools import reduce
 from operator import add, sub
 
 from repro.tables.arithmetic import IN_DOUBLES
-from repro.tables.digit_slips import slips
+from repro.tables.derived import Derivation, derived_rows
 from repro.tables.published import Printed
-from repro.tables.relations import Less, Number, PercentLower, Sum, TableCell
+from repro.tables.relations import Less, Mean, PercentLower, Sum, TableCell
 from repro.tables.rows import AuditRow, Grade, audit_row
 from repro.tables.true_numbers import DOUBLES, SINGLES, Span, exact, shown, span, unit
-
-Formula = Callable[[Sequence[Span]], Span]
 
 
 def sum_rows(paper: str, relation: Sum) -> Iterator[AuditRow]:
     """Yield a row where the addends cannot make the total."""
-    return _checked(
+    return derived_rows(
         paper,
-        check="sum",
-        result=relation.total,
-        parts=relation.addends,
-        formula=lambda parts: reduce(add, parts),
-        sign=" + ",
+        Derivation(
+            check="sum",
+            result=relation.total,
+            parts=relation.addends,
+            formula=lambda parts: reduce(add, parts),
+            written=" + ".join(["{}"] * len(relation.addends)),
+            exact=relation.exact,
+            whole=True,
+            alike=True,
+        ),
     )
 
 
 def difference_rows(paper: str, relation: Less) -> Iterator[AuditRow]:
     """Yield a row where the difference is not the one printed."""
-    return _checked(
+    return derived_rows(
         paper,
-        check="difference",
-        result=relation.printed,
-        parts=(relation.before, relation.after),
-        formula=lambda parts: reduce(sub, parts),
-        sign=" − ",
+        Derivation(
+            check="difference",
+            result=relation.printed,
+            parts=(relation.before, relation.after),
+            formula=lambda parts: reduce(sub, parts),
+            written="{} − {}",
+            exact=relation.exact,
+            whole=True,
+            alike=True,
+        ),
+    )
+
+
+def mean_rows(paper: str, relation: Mean) -> Iterator[AuditRow]:
+    """Yield a row where the numbers cannot have the printed mean."""
+    count = len(relation.numbers)
+    each = Span(Fraction(1, count), Fraction(1, count))
+    return derived_rows(
+        paper,
+        Derivation(
+            check="mean",
+            result=relation.mean,
+            parts=relation.numbers,
+            formula=lambda parts: reduce(add, parts) * each,
+            written=f"({' + '.join(['{}'] * count)})/{count}",
+            exact=relation.exact,
+            alike=True,
+        ),
     )
 
 
@@ -66,73 +92,6 @@ def percentage_rows(paper: str, relation: PercentLower) -> Iterator[AuditRow]:
     )
 
 
-def _checked(
-    paper: str,
-    *,
-    check: str,
-    result: Number,
-    parts: Sequence[Number],
-    formula: Formula,
-    sign: str,
-) -> Iterator[AuditRow]:
-    """Yield a row where no numbers behind the printed parts give one behind the printed result."""
-
-    def agrees(share: Fraction) -> bool:
-        possible = formula([span(part.printed, share=share) for part in parts])
-        return possible.meets(span(result.printed, share=share))
-
-    if agrees(DOUBLES):
-        return
-    possible = formula([span(part.printed) for part in parts])
-    value = formula([_point(part.printed) for part in parts]).low
-    yield audit_row(
-        paper,
-        (result, *parts),
-        check=check,
-        grade=Grade.INCONSISTENT,
-        explanation=(
-            f"{sign.join(part.printed.text for part in parts)} = {_in_full(value)}, between "
-            f"{_in_full(possible.low)} and {_in_full(possible.high)} with every rounding; printed "
-            f"is {result.printed.text} ({result.where}), off by "
-            f"{_in_full(exact(result.printed.value) - value)}. {_explained(result, parts, formula)}"
-        ),
-        condition=IN_DOUBLES if agrees(SINGLES) else None,
-    )
-
-
-def _explained(result: Number, parts: Sequence[Number], formula: Formula) -> str:
-    """Say which single slips in one of the numbers would close the sum, and how many they are."""
-    printed = [*(part.printed for part in parts), result.printed]
-    exactly, within = [], []
-    for i, number in enumerate(printed):
-        for slip in slips(number):
-            meant = [*printed[:i], slip.meant, *printed[i + 1 :]]
-            addends, total = meant[:-1], meant[-1]
-            words = f"{slip.meant.text} for {number.text} ({slip.words})"
-            if _rounds_to(formula(list(map(_point, addends))).low, total):
-                exactly.append(words)
-            elif formula(list(map(span, addends))).meets(span(total)):
-                within.append(words)
-    if not exactly and not within:
-        return "No single slip in one of the numbers explains it"
-    return ". ".join(
-        f"{_counted(len(found))} would close it {how}: {', '.join(found)}"
-        for found, how in (
-            (exactly, "with the other numbers as they are printed"),
-            (within, "only with the rounding of the others"),
-        )
-        if found
-    )
-
-
-def _counted(count: int) -> str:
-    return "1 single slip" if count == 1 else f"{count} single slips, any one of them,"
-
-
-def _rounds_to(value: Fraction, printed: Printed) -> bool:
-    return abs(value - exact(printed.value)) <= unit(printed) / 2
-
-
 def _reduction(before: Printed, after: Printed, share: Fraction) -> Span:
     """Return every reduction in percent that two positive printed numbers allow."""
     old, new = span(before, share=share), span(after, share=share)
@@ -159,19 +118,13 @@ def _other_pairs(relation: PercentLower) -> str:
     return f"In the same column it would fit {' or '.join(fits)}"
 
 
+def _rounds_to(value: Fraction, printed: Printed) -> bool:
+    return abs(value - exact(printed.value)) <= unit(printed) / 2
+
+
 def _percent(before: Printed, after: Printed) -> Fraction:
     return 100 * (1 - exact(after.value) / exact(before.value))
 
 
 def _arithmetic(before: Printed, after: Printed) -> str:
     return f"({before.text} − {after.text})/{before.text} = {shown(_percent(before, after))} %"
-
-
-def _point(printed: Printed) -> Span:
-    value = exact(printed.value)
-    return Span(value, value)
-
-
-def _in_full(number: Fraction) -> str:
-    """Return a sum of printed numbers without loss."""
-    return f"{float(number):.10g}"

@@ -37,6 +37,17 @@ class Span:
         """Return every sum of a number here and one there."""
         return Span(self.low + other.low, self.high + other.high)
 
+    def __mul__(self, other: "Span") -> "Span":
+        """Return from the least to the greatest product."""
+        ends = [a * b for a in (self.low, self.high) for b in (other.low, other.high)]
+        return Span(min(ends), max(ends))
+
+    def __truediv__(self, other: "Span") -> "Span":
+        """Return from the least to the greatest quotient; ZeroDivisionError where 0 may divide."""
+        if other.low <= 0 <= other.high:
+            raise ZeroDivisionError
+        return self * Span(1 / other.high, 1 / other.low)
+
     def meets(self, other: "Span") -> bool:
         """Say whether one and the same number can stand behind both."""
         return self.low <= other.high and other.low <= self.high
