@@ -25,6 +25,7 @@ from repro.model.figures import (
     SplineMotion,
     ToolPath,
 )
+from repro.model.measures.combined import Combined, EqualTo, MeanOf, Ratio, combined
 from repro.model.measures.curves import (
     Combination,
     Effort,
