@@ -18,8 +18,9 @@ SLOPE = BoxProblem(cost=lambda x: float(x.sum()), box=[(0.001, 1.0)] * 2)
 def sampling(
     cost: Callable[[Vector], float], bounds: Vector, budget: int, rng: np.random.Generator
 ) -> Vector:
-    points = [rng.uniform(*bounds.T) for _ in range(budget)]
-    return min(points, key=cost)
+    points = [rng.uniform(bounds[:, 0], bounds[:, 1]) for _ in range(budget)]
+    best: Vector = min(points, key=cost)
+    return best
 
 
 def fleeing(
@@ -36,7 +37,7 @@ def found(search: Any, **budget: int) -> Result:  # noqa: ANN401
     """Return what a search finds on the slope."""
     return OwnSearch(search=search).minimise(
         SLOPE, population=4, rng=np.random.default_rng(3), **budget
-    )  # type: ignore[misc]
+    )
 
 
 def test_function_is_an_optimiser_by_iterations_or_evaluations() -> None:
