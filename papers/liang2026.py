@@ -88,11 +88,12 @@ IWOA = HybridWOA(
     genetic=0.5, mutation=0.01,  # Eq. (19), step 6
     disturbance=0.01,  # section III-B 1)
 )  # fmt: skip
+SWARM = PSO(clip="last particle")  # PSO.m of the toolboxes: the others may leave the box
 BENCHMARK = Experiment(
     name="benchmark", where="section III-D", proposed="IWOA",
     problems={"F1": FUNCTIONS["sphere"].problem(40), "F5": FUNCTIONS["rosenbrock"].problem(40),
               "F10": FUNCTIONS["ackley"].problem(40), "F12": FUNCTIONS["penalized_1"].problem(40)},
-    algorithms={"IWOA": IWOA, "WOA": WOA_BY_EQUATIONS, "GWO": GWO(), "PSO": PSO(), "DBO": DBO()},
+    algorithms={"IWOA": IWOA, "WOA": WOA_BY_EQUATIONS, "GWO": GWO(), "PSO": SWARM, "DBO": DBO()},
     population=50, iterations=500, runs=30,
 )  # fmt: skip
 FANUC = MinimumTime(

@@ -53,7 +53,7 @@ SEARCHES: Mapping[str, Optimiser] = {
     ),
     "WOA by the program": WOA(),
     "GWO": GWO(),
-    "PSO": PSO(),
+    "PSO": PSO(clip="last particle"),
     "DE": DE(),
     "SMA": SMA(),
     "random search": RandomSearch(),

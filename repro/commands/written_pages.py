@@ -3,6 +3,7 @@
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
+from repro.commands.shown_rows import warn
 from repro.judge.judgement import Judgement, judge
 from repro.model.evidence import Cell, Runs
 from repro.model.paper import Paper
@@ -31,12 +32,20 @@ def write_pages(
     """
     own = {paper.key: [task for task in tasks if task.paper == paper.key] for paper in chosen}
     return write_report(
-        (judged(store, paper, own[paper.key], run) for paper in chosen),
+        (_told(judged(store, paper, own[paper.key], run)) for paper in chosen),
         folder,
         known,
         environments={key: store.environments(tasks) for key, tasks in own.items()},
         master_seed=tasks[0].seed if tasks else "",
     )
+
+
+def _told(judgement: Judgement) -> Judgement:
+    """Warn of searches whose best points lie outside the box, and return the judgement."""
+    for each in judgement.outside:
+        if each.outside:
+            warn(f"{judgement.paper.key}, {each.says}")
+    return judgement
 
 
 def judged(

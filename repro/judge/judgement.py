@@ -10,6 +10,7 @@ from repro.judge.certificates import Certificate, certify
 from repro.judge.deepening import Fetch, deepened
 from repro.judge.findings import EvidenceUnder, Finding, findings_of
 from repro.judge.other_readings import Print, fingerprints
+from repro.judge.outside_box import OutsideBox, outside_boxes
 from repro.judge.rank_tests import AlgorithmTests, algorithm_tests
 from repro.judge.times_found import FoundTime, found_times
 from repro.model.evidence import Evidence
@@ -24,7 +25,7 @@ class Judgement:
     `findings` are those of its claims, in their order; `readings` the evidence under each other
     reading that was run, `prints` how near the columns are to each; `found_times` stand beside
     `certificates`. `besides` says in words what was run besides the protocol, other readings in
-    `reading_repeats` repeats.
+    `reading_repeats` repeats; `outside` are the searches that their source lets leave the box.
     """
 
     paper: Paper
@@ -40,6 +41,7 @@ class Judgement:
     standings: tuple[ExperimentStandings, ...]
     besides: tuple[str, ...] = ()
     reading_repeats: int = 0
+    outside: tuple[OutsideBox, ...] = ()
 
     @property
     def repeats(self) -> int:
@@ -72,5 +74,6 @@ def judge(
         centre_biases=centre_biases(paper, evidence),
         standings=paper_standings(paper, evidence.runs, certificates),
         besides=kinds_of(studies, {name for name, *_ in evidence.runs}),
+        outside=outside_boxes(paper, evidence),
         reading_repeats=max((s.repeats for s in studies if s.kind == "reading"), default=0),
     )

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from repro.errors import ReproError
 from repro.judge.certificates import Certificate
+from repro.judge.outside_box import inside_box
 from repro.model.evidence import Evidence
 
 ROUNDING = 1e-9  # share by which sums and roots of doubles may differ from the proof
@@ -28,7 +29,8 @@ def found_times(certificate: Certificate, evidence: Evidence) -> tuple[FoundTime
     """Return what each algorithm found on the certified problem, nothing where none was run.
 
     Raises CertificateBeatenError for a time below the proved bound. A certificate without a
-    minimum concerns a cost that is least where limits are broken, so its times are not compared.
+    minimum concerns a cost that is least where limits are broken, so its times are not compared;
+    neither are those of points outside the box, which no time of the problem is.
     """
     if certificate.minimum is None or certificate.lower_bound is None:
         return ()
@@ -36,7 +38,9 @@ def found_times(certificate: Certificate, evidence: Evidence) -> tuple[FoundTime
     for cell in evidence.runs:
         if f"{cell[0]}/{cell[1]}" != certificate.problem:
             continue
-        times = evidence.values(cell, "total")
+        times = evidence.values(cell, "total")[inside_box(evidence, cell)]
+        if not times.size:
+            continue
         least, mean = float(times.min()), float(times.mean())
         if least < certificate.lower_bound * (1.0 - ROUNDING):
             message = (

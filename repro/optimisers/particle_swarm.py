@@ -4,7 +4,8 @@ J. Kennedy, R. Eberhart, Proc. ICNN 1995, doi:10.1109/ICNN.1995.488968; inertia 
 R. Eberhart, Proc. ICEC 1998, doi:10.1109/ICEC.1998.699146. Constants and order of steps are those
 of the PSO.m that ships with the comparison toolboxes of the wolf and whale papers. In that
 program the line that clips positions stands outside the particle loop and so acts on the last
-particle alone; `clip="last particle"` keeps this, and with it the published PSO columns.
+particle alone; `clip="last particle"` keeps this, and with it the published PSO columns. Without
+it every particle is held in the box.
 """
 
 from dataclasses import dataclass
@@ -72,7 +73,7 @@ class PSO:
     inertia: tuple[float, float] = (0.9, 0.2)
     cognitive: float = 2.0
     social: float = 2.0
-    clip: Literal["last particle", "every particle"] = "last particle"
+    clip: Literal["last particle", "every particle"] = "every particle"
 
     def __post_init__(self) -> None:
         """Raise InputError for an unknown word."""
@@ -81,12 +82,12 @@ class PSO:
     @property
     def leaves_box(self) -> bool:
         """Whether the best point may lie outside the box, as in the published program."""
-        return self.clip == "last particle"
+        return self.clip == "every particle"
 
     def minimise(self, problem: Problem, **budget: Unpack[Budget]) -> Result:
         """Return the best point found by N·T evaluations; see `Optimiser`.
 
-        The point may lie outside the box: only clipped particles are held inside.
+        The point may lie outside the box where only the last particle is clipped.
         """
         every = 1.0 if self.clip == "every particle" else 0.0
         parameters = (self.maximum_velocity, *self.inertia, self.cognitive, self.social, every)

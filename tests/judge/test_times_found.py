@@ -42,3 +42,12 @@ def test_a_run_that_claims_to_beat_the_certificate_fails_loudly() -> None:
 def test_a_cost_that_is_least_where_limits_are_broken_is_not_compared() -> None:
     broken = replace(CERTIFICATE, minimum=None)
     assert found_times(broken, evidence([LEAST])) == ()
+
+
+def test_a_time_outside_the_box_of_durations_is_no_time_found() -> None:
+    too_short, too_long = 0.5 * ARM.durations[0], 2.0 * ARM.durations[1]
+
+    (found,) = found_times(CERTIFICATE, evidence([too_short, 2 * LEAST, too_long]))
+
+    assert (found.least, found.mean) == (2 * LEAST, 2 * LEAST)
+    assert found_times(CERTIFICATE, evidence([too_long])) == ()

@@ -24,7 +24,13 @@ from repro.optimisers import (
     SlimeWOA,
 )
 from repro.optimisers.libraries import BASELINES
-from repro.optimisers.search import DeclaresSpending, HoldsInterpreter, LeavesBox, NeedsScratch
+from repro.optimisers.search import (
+    DeclaresSpending,
+    HoldsInterpreter,
+    LeavesBox,
+    NeedsScratch,
+    hands_to_search,
+)
 from tests.additions import ADDITIONS, SLIME, SLIME_DETAILS, SLIME_PARTS, SLIME_TOGETHER, TOGETHER
 from tests.small_problems import OFF_CENTRE, Small, small
 
@@ -32,7 +38,7 @@ EVERY = (
     *(WOA(), GWO(), PSO(), DBO(), SMA(), GSA(), GSA(bounds="clip"), DE(), GA()),
     *(RandomSearch(), TOGETHER, SLIME_TOGETHER),
 )
-HOLDING = (*(o for o in EVERY if o != PSO()), *ADDITIONS, *SLIME, PSO(clip="every particle"))
+HOLDING = (*EVERY, *ADDITIONS, *SLIME)
 
 each_optimiser = pytest.mark.parametrize("optimiser", EVERY, ids=lambda o: repr(o)[:30])
 
@@ -125,7 +131,7 @@ def test_best_point_lies_inside_the_box(optimiser: Optimiser, seed: int) -> None
 def test_particles_leave_the_box_where_only_the_last_is_clipped() -> None:
     lower = np.array(OFF_CENTRE)[:, 0]
 
-    assert (run(PSO(), small("slope")).x < lower).all()
+    assert (run(PSO(clip="last particle"), small("slope")).x < lower).all()
 
 
 @each_optimiser
@@ -282,8 +288,10 @@ def test_impossible_parameter_is_refused_by_name(
 
 
 def test_optimisers_say_more_of_themselves_by_protocols() -> None:
-    assert isinstance(PSO(), LeavesBox)
+    assert PSO(clip="last particle").leaves_box
+    assert not PSO().leaves_box
     assert not isinstance(WOA(), LeavesBox | HoldsInterpreter | DeclaresSpending)
+    assert hands_to_search(WOA())
     assert isinstance(DE(), DeclaresSpending)
     assert all(
         isinstance(each, HoldsInterpreter) for name, each in BASELINES.items() if "(" in name

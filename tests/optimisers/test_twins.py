@@ -55,7 +55,7 @@ SWITCHED: tuple[AnyOptimiser, ...] = (
     replace(TOGETHER, perturbs="in proportion", chain="going on"),
     *SLIME,
     WOA(b=0.5),
-    PSO(clip="every particle"),
+    PSO(clip="last particle"),
     PSO(maximum_velocity=0.5, inertia=(0.7, 0.4), cognitive=1.5, social=1.2),
     DBO(groups="proportional"),
     DBO(producers=0.5, deflection=0.3, pull=0.7, natural=0.5, obstacle=0.6, size=0.9),

@@ -17,7 +17,7 @@ def particle_swarm(
     inertia: tuple[float, float] = (0.9, 0.2),
     cognitive: float = 2.0,
     social: float = 2.0,
-    clip: Literal["last particle", "every particle"] = "last particle",
+    clip: Literal["last particle", "every particle"] = "every particle",
 ) -> tuple[list[float], float, list[float], int]:
     """Return best position, its cost, best cost after each iteration, and evaluations (N T)."""
     del normal  # all twins are called alike

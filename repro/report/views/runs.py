@@ -17,13 +17,15 @@ from repro.runs.moved_optima import centred
 class RunsView:
     """Tests between algorithms, what they do off the centre, and how their runs are spread.
 
-    `shiftable` says whether any problem has its optimum about the centre.
+    `shiftable` says whether any problem has its optimum about the centre, `outside` which searches
+    left the box.
     """
 
     comparisons: tuple[AlgorithmsView, ...]
     centre_biases: tuple[CentreBiasView, ...]
     distributions: tuple[Distribution, ...]
     shiftable: bool
+    outside: tuple[str, ...] = ()
 
     def context(self) -> dict[str, object]:
         """Return what the templates name."""
@@ -32,6 +34,7 @@ class RunsView:
             "centre_biases": self.centre_biases,
             "distributions": self.distributions,
             "shiftable": self.shiftable,
+            "outside": self.outside,
         }
 
     def files(self, key: str) -> dict[str, str]:
@@ -58,4 +61,5 @@ def runs_view(judgement: Judgement) -> RunsView:
         centre_biases=tuple(centre_bias_view(paper.key, b) for b in judgement.centre_biases),
         distributions=distributions(paper, judgement.evidence),
         shiftable=any(map(centred, paper.experiments)),
+        outside=tuple(each.says for each in judgement.outside if each.outside),
     )
