@@ -82,7 +82,7 @@ class PSO:
     @property
     def leaves_box(self) -> bool:
         """Whether the best point may lie outside the box, as in the published program."""
-        return self.clip == "every particle"
+        return self.clip == "last particle"
 
     def minimise(self, problem: Problem, **budget: Unpack[Budget]) -> Result:
         """Return the best point found by N·T evaluations; see `Optimiser`.
