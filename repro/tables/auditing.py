@@ -107,7 +107,7 @@ def _audited(
 
 
 def _parts(entries: Sequence[Entry]) -> list[dict[str, Entry]]:
-    parts: dict[tuple[str, str, int], dict[str, Entry]] = {}
+    parts: dict[tuple[str, str, str, int], dict[str, Entry]] = {}
     for key, entry in numbered(entries):
         parts.setdefault(key, {})[entry.statistic] = entry
     return list(parts.values())
@@ -133,11 +133,11 @@ def _block(
     return Block(
         problem_name=entry.problem or entry.algorithm,
         algorithm=entry.algorithm,
-        quantity="cost",
+        quantity=entry.quantity or "cost",
         n=runs or TRIED[0],
         cells=cells,
         scientific=any(number.printed.power is not None for number in numbers.values()),
-        function=_bounds(entry.problem, options, maximised=maximised),
+        function=None if entry.quantity else _bounds(entry.problem, options, maximised=maximised),
     )
 
 

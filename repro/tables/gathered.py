@@ -11,6 +11,7 @@ from repro.tables.headings import (
     heads_problems,
     is_problem_name,
     is_statistic,
+    names_quantity,
     statistics_in,
 )
 from repro.tables.layout import GridCell, Label, layout
@@ -36,6 +37,7 @@ class Entry:
     problem: str
     algorithm: str
     statistic: str
+    quantity: str
     number: PlacedNumber
     i: int
     j: int
@@ -71,6 +73,7 @@ class _Named:
     statistics: tuple[str, ...]
     problem: str
     algorithm: str
+    quantity: str
 
 
 def gathered(grid: Grid, label: str) -> Gathered:
@@ -113,6 +116,7 @@ def _named(cell: GridCell, words: dict[str, str], *, by_column: bool) -> _Named:
     """Return the cell with what its labels name."""
     axis, other = (cell.column, cell.row) if by_column else (cell.row, cell.column)
     statistics: tuple[str, ...] = ()
+    quantity = ""
     rest: list[Label] = []
     sure = any(is_statistic(label.text) for label in axis)
     for label in axis:
@@ -120,7 +124,8 @@ def _named(cell: GridCell, words: dict[str, str], *, by_column: bool) -> _Named:
         if names and not statistics and (not left or not sure):
             statistics = names
             words.setdefault(label.text, ", ".join(names))
-            rest.extend([Label(text=left, heading=label.heading)] if left else [])
+            quantity = left if names_quantity(left) else ""
+            rest.extend([Label(text=left, heading=label.heading)] if left and not quantity else [])
         else:
             rest.append(label)
     for label in other:  # a line of ranks among statistics, say
@@ -132,7 +137,13 @@ def _named(cell: GridCell, words: dict[str, str], *, by_column: bool) -> _Named:
             rest.append(label)
     in_column = {label.text for label in cell.column}
     problem, algorithm = _roles([(label, label.text in in_column) for label in rest])
-    return _Named(cell=cell, statistics=statistics, problem=problem, algorithm=algorithm)
+    return _Named(
+        cell=cell,
+        statistics=statistics,
+        problem=problem,
+        algorithm=algorithm,
+        quantity=quantity,
+    )
 
 
 def _roles(labels: Sequence[tuple[Label, bool]]) -> tuple[str, str]:
@@ -156,7 +167,11 @@ def _roles(labels: Sequence[tuple[Label, bool]]) -> tuple[str, str]:
 def _second_statistic(named: Sequence[_Named]) -> str:
     """Return what the second number of a cell is: a rank where all are small whole numbers."""
     pairs = [pair for each in named if (pair := split_pair(each.cell.text))]
-    told = Counter(each.statistics[1] for each in named if len(each.statistics) > 1)
+    told = Counter(
+        each.statistics[1]
+        for each in named
+        if len(each.statistics) > 1 and split_pair(each.cell.text)
+    )
     if told:
         return told.most_common(1)[0][0]
     ranks = [
@@ -217,6 +232,7 @@ def _entry(each: _Named, label: str, text: str, statistic: str) -> Entry:
         problem=each.problem,
         algorithm=each.algorithm,
         statistic=statistic,
+        quantity=each.quantity,
         number=number,
         i=cell.i,
         j=cell.j,
@@ -229,14 +245,15 @@ def _skipped(cell: GridCell, because: str, label: str) -> Skipped:
     )
 
 
-def numbered(entries: Sequence[Entry]) -> Iterator[tuple[tuple[str, str, int], Entry]]:
-    """Yield each number of runs with its problem, algorithm and how often these stood before.
+def numbered(entries: Sequence[Entry]) -> Iterator[tuple[tuple[str, str, str, int], Entry]]:
+    """Yield each statistic with its problem, algorithm, quantity and how often these stood before.
 
     What one block prints twice under one name belongs to two blocks.
     """
-    times: defaultdict[tuple[str, str, str], int] = defaultdict(int)
+    times: defaultdict[tuple[str, ...], int] = defaultdict(int)
     for entry in entries:
         if entry.statistic in OF_RUNS:
-            place = (entry.problem, entry.algorithm, entry.statistic)
-            yield (entry.problem, entry.algorithm, times[place]), entry
+            key = (entry.problem, entry.algorithm, entry.quantity)
+            place = (*key, entry.statistic)
+            yield (*key, times[place]), entry
             times[place] += 1

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from repro.tables.audit_options import SPREADS, AuditOptions, Guess
 from repro.tables.gathered import VALUE, Entry, Gathered
-from repro.tables.headings import runs_in
+from repro.tables.headings import heads_runs, runs_in, sizes_in
 
 LEAST_RUNS = 2
 
@@ -15,8 +15,13 @@ def guessed_runs(
     """Return the number of runs with where it is from; None where nothing or too much tells it."""
     if options.runs is not None:
         return options.runs, Guess(says=f"n = {options.runs} as told", option="runs")
-    for text, place in ((table.text, "the caption"), (context, "the text of the file")):
-        told = {n: words for n, words in runs_in(text) if n >= LEAST_RUNS}
+    for found, place in (
+        (runs_in(table.text), "the caption"),
+        (_in_a_column(table), "a column"),
+        (sizes_in(table.text), "the caption"),
+        (runs_in(context), "the text of the file"),
+    ):
+        told = {n: words for n, words in found if n >= LEAST_RUNS}
         if len(told) == 1:
             n, words = next(iter(told.items()))
             return n, Guess(says=f'n = {n} from {place} ("{words}")', option="runs", value=str(n))
@@ -24,6 +29,14 @@ def guessed_runs(
             says = f"n is left open: {place} tells {', '.join(map(str, sorted(told)))}"
             return None, Guess(says=says, option="runs")
     return None, Guess(says="n is not told", option="runs")
+
+
+def _in_a_column(table: Gathered) -> Iterator[tuple[int, str]]:
+    """Yield what a column of numbers of runs says."""
+    for entry in table.entries:
+        printed = entry.number.printed
+        if heads_runs(entry.number.column) and printed.value == int(printed.value):
+            yield int(printed.value), entry.number.column
 
 
 def is_maximised(blocks: Sequence[Mapping[str, Entry]]) -> bool:

@@ -44,7 +44,7 @@ _KNOWN = {
     name: re.compile(rf"(?<![a-z0-9])(?:{pattern})(?![a-z0-9])")
     for name, pattern in _PATTERNS.items()
 }
-_CAMEL = re.compile(r"(?<=[a-z])(?=[A-Z][a-z])")
+_CAMEL = re.compile(r"(?<=[a-z])(?=[A-Z])")
 _FILLERS = re.compile(
     r"(?<![a-z0-9])(?:values?|val\.?|of|the|fitness|cost|objective|obj\.?|function|results?|score"
     r"|solutions?|index|errors?|runs?|value|[=:])(?![a-z0-9])",
@@ -55,7 +55,17 @@ _RUNS = re.compile(
     r"(?P<before>\d{1,6})\s*(?:independent|separate|different|random|repeated|trial|test|times\sof"
     r"|successive|consecutive|statistical|individual)*\s*(?:[a-z]+\s)?"
     r"(?:runs?\b|trials?\b|repetitions?\b|repeats?\b|replications?\b|times\b|executions?\b|experiments\b|次)"
-    r"|\b(?:n|runs?|trials?|repetitions?|repeats?|n_?runs|number\sof\sruns)\s*(?:=|:|was|is)\s*(?P<after>\d{1,6})\b",
+    r"|\b(?:runs?|trials?|repetitions?|repeats?|n_?runs|number\sof\sruns)\s*(?:=|:|was|is)\s*(?P<after>\d{1,6})\b",
+    re.IGNORECASE,
+)
+_SIZE = re.compile(r"\bn\s*=\s*(?P<after>\d{1,6})\b", re.IGNORECASE)
+_COLUMN_OF_RUNS = re.compile(
+    r"(?:n_?|no\.?\s(?:of\s)?|number\sof\s|#\s?)?(?:runs?|trials?|rep(?:eat|etition)?s?|counts?)",
+    re.IGNORECASE,
+)
+_QUANTITY = re.compile(
+    r"(?<![a-z])(?:times?|cpu|runtime|evaluations?|evals?|n?fes?|iterations?|iters?|epochs?|generations?"
+    r"|gens?|seconds?|memory|calls|gap|length|error\srate)(?![a-z])",
     re.IGNORECASE,
 )
 _NUMBER_WORDS = {
@@ -108,6 +118,9 @@ def statistics_in(label: str) -> tuple[tuple[str, ...], str]:
         for match in pattern.finditer(lowered):
             if all(match.end() <= start or match.start() >= end for start, end, _ in found):
                 found.append((match.start(), match.end(), name))
+    names = {name for *_, name in found}
+    if "time" in names and len(names) > 1:  # the mean of times, say
+        found = [each for each in found if each[2] != "time"]
     rest = text
     for start, end, _ in sorted(found, reverse=True):
         rest = rest[:start] + " " + rest[end:]
@@ -127,6 +140,22 @@ def runs_in(text: str) -> Iterator[tuple[int, str]]:
         yield int(match["before"] or match["after"]), match[0].strip()
     for match in _RUN_WORDS.finditer(text):
         yield _NUMBER_WORDS[match["word"].lower()], match[0].strip()
+
+
+def sizes_in(text: str) -> Iterator[tuple[int, str]]:
+    """Yield every n of "n = 30" in a text, with those words."""
+    for match in _SIZE.finditer(text):
+        yield int(match["after"]), match[0].strip()
+
+
+def heads_runs(heading: str) -> bool:
+    """Say whether a heading stands over numbers of runs."""
+    return _COLUMN_OF_RUNS.fullmatch(plain(heading).strip()) is not None
+
+
+def names_quantity(text: str) -> bool:
+    """Say whether what a heading says beside its statistic is what was measured, a time say."""
+    return _QUANTITY.search(text) is not None
 
 
 def heads_problems(heading: str) -> bool:

@@ -12,6 +12,7 @@ from repro.tables.separated import pasted_grid, piped_grids, separated_grid
 
 Form = Literal["separated", "markdown", "latex", "html", "pasted"]
 _LATEX = re.compile(r"\\begin\s*\{(?:tabular|longtable|tabu|array|NiceTabular|tblr)|&[^\n]*\\\\")
+_LATEX_BEGIN = re.compile(r"\\begin\s*\{(?:tabular|longtable)")
 _HTML = re.compile(r"<(?:table|tr|td)\b", re.IGNORECASE)
 _SEPARATED = re.compile(r"[^\s,;\t][^,;\t\n]*[,;\t]")
 
@@ -47,9 +48,11 @@ def form_of(text: str) -> Form:
 
 
 def _marked_down(text: str) -> list[Grid]:
-    """Return the tables of Markdown, which may be HTML."""
-    piped = sum(line.count("|") > 1 for line in text.splitlines()) > 1
-    return piped_grids(text) if piped or not _HTML.search(text) else page_grids(text)
+    """Return the tables of Markdown, those in HTML or LaTeX last."""
+    found = piped_grids(text)
+    if _HTML.search(text):
+        found += page_grids(text)
+    return found + (latex_grids(text) if _LATEX_BEGIN.search(text) else [])
 
 
 _READERS: dict[Form, Callable[[str], list[Grid]]] = {
