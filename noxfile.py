@@ -182,10 +182,13 @@ def bench(session: nox.Session) -> None:
 
 @nox.session
 def docs(session: nox.Session) -> None:
-    """Build the manual from docs/ into docs/_build/html, without an outside request."""
+    """Build the manual from docs/ into docs/_build/html, with Python for its page; needs npm."""
     _install(session, "docs")
     target = "docs/_build/html"
     session.run("sphinx-build", "-W", "--keep-going", "-q", "-b", "html", "docs", target)
+    with session.chdir("docs/pyodide"):
+        session.run("npm", "ci", "--ignore-scripts", external=True)
+    session.run("python", "docs/pyodide/bundle.py", target)
 
 
 @nox.session(venv_backend="none")

@@ -6,7 +6,7 @@ project_copyright = author
 html_title = "repro"
 
 extensions = ["myst_parser", "sphinx.ext.autodoc"]
-exclude_patterns = ["_build"]
+exclude_patterns = ["_build", "pyodide/node_modules"]
 default_role = "code"
 myst_heading_anchors = 3
 
@@ -15,5 +15,6 @@ autodoc_preserve_defaults = True
 python_use_unqualified_type_names = True
 
 html_theme = "furo"
+html_static_path = ["_static"]
 html_copy_source = False
 html_show_sourcelink = False

@@ -52,7 +52,7 @@ def launch() -> "Iterator[Callable[..., Browser]]":
     executable = next(filter(None, map(shutil.which, names)), None)
     playwright = of_extra("playwright.sync_api").sync_playwright
     if executable is None:
-        _missing("a Chromium: install one, or name it in REPRO_BROWSER")
+        missing("a Chromium: install one, or name it in REPRO_BROWSER")
     with playwright() as driver:
         yield lambda *options: driver.chromium.launch(
             executable_path=executable, args=[*QUIET, *options]
@@ -72,10 +72,11 @@ def of_extra(name: str) -> Any:  # noqa: ANN401 (a module)
     try:
         return importlib.import_module(name)
     except ImportError:
-        _missing(f"{name}: pip install '.[browser]'")
+        missing(f"{name}: pip install '.[browser]'")
 
 
-def _missing(what: str) -> NoReturn:
+def missing(what: str) -> NoReturn:
+    """Fail in CI, and skip elsewhere, for want of something."""
     message = f"the tests of the pages need {what}"
     if os.environ.get("CI"):
         pytest.fail(message)
