@@ -240,5 +240,5 @@ def test_tests_mirror_the_rooms() -> None:
     assert {name for name in ROOMS if (ROOT / "repro" / name).is_dir()} <= tested
     for path in TESTS.rglob("test_*.py"):
         folder = path.parent.relative_to(TESTS)
-        beside = {"browser", "papers", "benchmarks"}
+        beside = {"browser", "papers", "benchmarks", "docs"}
         assert (ROOT / "repro" / folder).is_dir() or folder.parts[0] in beside, path
