@@ -2,8 +2,10 @@
 
 from dataclasses import dataclass
 
+from repro.errors import DeclarationError
 from repro.robotics import Convention, MinimumTime, MinimumTimeSpline, PathFitting
 from repro.robotics.kinematics import DHRow
+from repro.robotics.shown_motion import Moving, ShowsMotion
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -19,12 +21,14 @@ class Convergence:
 class Motion:
     """Angle, velocity and acceleration of every joint over time.
 
-    `durations` in s are fixed ones; where None, those that `algorithms` reach on average.
+    `durations` in s are fixed ones; where None, those that `algorithms` reach on average. A problem
+    of one's own is drawn, too, where it is a `ShowsMotion`: `durations` are then a point of it, and
+    of each algorithm the best run of the first repeat is shown.
     """
 
     label: str
     caption: str
-    problem: MinimumTime
+    problem: Moving
     durations: tuple[float, ...] | None = None
     experiment: str = ""
     algorithms: tuple[str, ...] = ()
@@ -82,12 +86,18 @@ class ArmMotion:
 
     `problem` says through which angles it goes: path fits, one per joint, mean their desired paths.
     `durations` of the segments are in s, those of the proved optimum where None; path fits have
-    a duration of their own.
+    a duration of their own. Of a `ShowsMotion` they are the point to show, which must be given.
     """
 
     name: str
-    problem: MinimumTime | MinimumTimeSpline | tuple[PathFitting, ...]
+    problem: MinimumTime | MinimumTimeSpline | ShowsMotion | tuple[PathFitting, ...]
     durations: tuple[float, ...] | None = None
+
+    def __post_init__(self) -> None:
+        """Raise DeclarationError where no motion is said of a problem that has no proved one."""
+        if isinstance(self.problem, ShowsMotion) and self.durations is None:
+            message = f"motion {self.name!r}: a problem of one's own needs a point in `durations`"
+            raise DeclarationError(message)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -5,6 +5,7 @@ from repro.robotics.kinematics import Convention, dh_rows, forward_kinematics
 from repro.robotics.path_fitting import PathFitting
 from repro.robotics.polynomials import RestToRestLaw, cubic, quintic, septic
 from repro.robotics.rest_to_rest import MinimumTime, peak
+from repro.robotics.shown_motion import ShowsMotion
 from repro.robotics.spline_motion import MinimumTimeSpline
 
 __all__ = [
@@ -13,6 +14,7 @@ __all__ = [
     "MinimumTimeSpline",
     "PathFitting",
     "RestToRestLaw",
+    "ShowsMotion",
     "cubic",
     "dh_rows",
     "forward_kinematics",

@@ -10,6 +10,7 @@ from repro.model.figures import Arm, ArmMotion
 from repro.robotics import MinimumTime, MinimumTimeSpline, PathFitting
 from repro.robotics.proofs.spline_minimum import prove
 from repro.robotics.rest_to_rest import motion
+from repro.robotics.shown_motion import ShowsMotion
 from repro.robotics.skeleton import Skeleton, skeleton
 from repro.robotics.spline_motion import motion as spline_motion
 
@@ -54,6 +55,10 @@ def waypoints(arm: Arm) -> tuple[Skeleton, ...]:
         angles = problem.waypoints
     elif isinstance(problem, MinimumTimeSpline):
         angles = problem.nodes
+    elif isinstance(problem, ShowsMotion):
+        durations, _, shown = _of_point(problem, arm.motions[0])
+        starts = shown[:: len(shown) // len(durations)]
+        angles = (*map(tuple, starts), tuple(shown[-1]))
     else:
         angles = tuple(zip(*((fit.start, fit.end) for fit in problem), strict=True))
     return tuple(skeleton(arm.dh, q, arm.convention) for q in angles)
@@ -78,7 +83,16 @@ def _sampled(chosen: ArmMotion) -> tuple[tuple[float, ...], Vector, Vector]:
         samples = SAMPLES // problem.segments
         found = spline_motion(problem, np.array(durations), derivative=0, samples=samples)
         return durations, *found
+    if isinstance(problem, ShowsMotion):
+        return _of_point(problem, chosen)
     return _along_paths(problem)
+
+
+def _of_point(problem: ShowsMotion, chosen: ArmMotion) -> tuple[tuple[float, ...], Vector, Vector]:
+    point = np.array(chosen.durations)
+    durations = tuple(map(float, problem.durations(point)))
+    samples = SAMPLES // len(durations)
+    return durations, *problem.motion(point, derivative=0, samples=samples)
 
 
 def _along_paths(fits: Sequence[PathFitting]) -> tuple[tuple[float, ...], Vector, Vector]:

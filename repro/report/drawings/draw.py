@@ -70,7 +70,7 @@ def _plot(figure: Figure, evidence: Evidence, assumptions: Sequence[Assumption])
     if isinstance(figure, Convergence):
         return convergence_plot(figure, evidence) or _nothing()
     if isinstance(figure, Motion):
-        return motion_plot(figure, evidence)
+        return motion_plot(figure, evidence) or _nothing()
     if isinstance(figure, SplineMotion):
         return spline_plot(figure, evidence)
     if isinstance(figure, JointCurves):

@@ -9,11 +9,13 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
-from repro.model.evidence import Evidence
+from repro.errors import DeclarationError
+from repro.model.evidence import Cell, Evidence
+from repro.model.experiment import Experiment
 from repro.model.figures import Motion
 from repro.report.drawings.style import CURVE_POINTS, Plot, Rows, line_style, name_left_axis, panels
-from repro.robotics import MinimumTime, peak
-from repro.robotics.rest_to_rest import motion
+from repro.robotics import MinimumTime
+from repro.robotics.shown_motion import Moving, ShowsMotion, highest, lasting, moved, shortest
 
 Vector = NDArray[np.float64]
 QUANTITIES = ("angle", "velocity", "acceleration", "jerk")
@@ -26,10 +28,14 @@ SET = "durations as set"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Course:
-    """One motion to draw: its name and the duration of each segment in s."""
+    """One motion to draw: its name and the duration of each segment in s.
+
+    `point` is what a search found where that is something else than durations.
+    """
 
     name: str
     durations: Vector
+    point: Vector | None = None
 
     @property
     def total(self) -> float:
@@ -37,14 +43,19 @@ class Course:
         return float(self.durations.sum())
 
 
-def motion_plot(figure: Motion, evidence: Evidence) -> Plot:
-    """Return the drawing: a column per algorithm and one of the optimum, or one of set times."""
+def motion_plot(figure: Motion, evidence: Evidence) -> Plot | None:
+    """Return the drawing: a column per algorithm and one of the optimum, or one of set times.
+
+    None where no run is there yet and nothing is proved.
+    """
     problem = figure.problem
     courses, missing = _courses(figure, evidence)
+    if not courses:
+        return None
     derivatives = _derivatives(problem)
     legend = [
         Line2D([], [], label=f"joint {joint + 1}", **line_style(joint))
-        for joint in range(len(problem.velocity))
+        for joint in range(problem.limits.shape[1])
     ]
     canvas, grid = panels(
         len(derivatives),
@@ -71,35 +82,60 @@ def motion_plot(figure: Motion, evidence: Evidence) -> Plot:
 
 def _courses(figure: Motion, evidence: Evidence) -> tuple[list[Course], list[str]]:
     """Return the motions that can be drawn, and the algorithms of which no run is there."""
+    problem = figure.problem
     if figure.durations is not None:
-        return [Course(name=SET, durations=np.array(figure.durations))], []
-    problems = evidence.experiment(figure.experiment).problems
-    name = next(name for name, problem in problems.items() if problem == figure.problem)
+        return [_course(SET, problem, np.array(figure.durations))], []
+    name = problem_name(figure.label, problem, evidence.experiment(figure.experiment))
     courses, missing = [], []
     for algorithm in figure.algorithms:
         cell = (figure.experiment, name, algorithm)
         if cell in evidence.runs:
-            each = [
-                evidence.values(cell, f"duration {k + 1}")[0].mean()
-                for k in range(figure.problem.segments)
-            ]
-            courses.append(Course(name=algorithm, durations=np.array(each)))
+            courses.append(_course(algorithm, problem, _found(problem, evidence, cell)))
         else:
             missing.append(algorithm)
-    return [*courses, Course(name=CERTIFIED, durations=figure.problem.shortest())], missing
+    optimum = shortest(problem)
+    proved = [] if optimum is None else [_course(CERTIFIED, problem, optimum)]
+    return [*courses, *proved], missing
 
 
-def _derivatives(problem: MinimumTime) -> range:
+def problem_name(label: str, problem: object, of: Experiment) -> str:
+    """Return by which name the experiment has the problem; DeclarationError where it has not."""
+    for name, own in of.problems.items():
+        # what others wrote may hold arrays, of which == makes no truth
+        if own is problem or (not isinstance(problem, ShowsMotion) and own == problem):
+            return name
+    message = f"{label}: its problem is none of {of.name}, which has {', '.join(of.problems)}"
+    raise DeclarationError(message)
+
+
+def _course(name: str, problem: Moving, point: Vector) -> Course:
+    return Course(name=name, durations=lasting(problem, point), point=point)
+
+
+def _found(problem: Moving, evidence: Evidence, cell: Cell) -> Vector:
+    """Return what the runs of the first repeat reach on average, or the best of them."""
+    if isinstance(problem, MinimumTime):
+        names = (f"duration {k + 1}" for k in range(problem.segments))
+        return np.array([evidence.values(cell, name)[0].mean() for name in names])
+    runs = evidence.runs[cell]
+    return np.asarray(runs.points[0][runs.costs[0].argmin()])
+
+
+def _point(course: Course) -> Vector:
+    return course.durations if course.point is None else course.point
+
+
+def _derivatives(problem: Moving) -> range:
     """Return which derivatives of the angles are drawn: the jerk only where it is limited."""
-    return range(4 if problem.jerk else 3)
+    return range(4 if np.isfinite(problem.limits[2]).any() else 3)
 
 
-def _sampled(problem: MinimumTime, course: Course, derivative: int) -> tuple[Vector, Vector]:
-    samples = max(9, CURVE_POINTS // problem.segments)
-    return motion(problem, course.durations, derivative=derivative, samples=samples)
+def _sampled(problem: Moving, course: Course, derivative: int) -> tuple[Vector, Vector]:
+    samples = max(9, CURVE_POINTS // len(course.durations))
+    return moved(problem, _point(course), derivative=derivative, samples=samples)
 
 
-def _draw_course(axes: Axes, problem: MinimumTime, course: Course, derivative: int) -> None:
+def _draw_course(axes: Axes, problem: Moving, course: Course, derivative: int) -> None:
     times, values = _sampled(problem, course, derivative)
     for joint, curve in enumerate(values.T):
         axes.plot(times, curve, **line_style(joint))
@@ -110,15 +146,15 @@ def _draw_course(axes: Axes, problem: MinimumTime, course: Course, derivative: i
 
 
 def _draw_limits(
-    row: Sequence[Axes], problem: MinimumTime, courses: Sequence[Course], derivative: int
+    row: Sequence[Axes], problem: Moving, courses: Sequence[Course], derivative: int
 ) -> None:
     """Draw the limits on a derivative: in the colour of the joint that has it alone."""
     if derivative == 0:
         return
     limits = problem.limits[derivative - 1]
     different = sorted({limit for limit in limits if np.isfinite(limit)})
-    reached = [peak(problem, tuple(course.durations), derivative) for course in courses]
-    reach = 1.36 * max(*different, *reached)
+    reached = [highest(problem, _point(course), derivative) for course in courses]
+    reach = 1.36 * (max([*different, *reached], default=0.0) or 1.0)
     for axes in row:
         axes.set_ylim(-reach, reach)
         for limit in different:
@@ -135,7 +171,7 @@ def _draw_limits(
         )
 
 
-def _limits_text(problem: MinimumTime, derivative: int) -> str:
+def _limits_text(problem: Moving, derivative: int) -> str:
     limits = problem.limits[derivative - 1]
     low, high = _short(limits.min()), _short(limits.max())
     return f"limit {low if low == high else f'{low} to {high}'}"
@@ -145,13 +181,13 @@ def _short(value: float) -> str:
     return f"{value:.4g}"
 
 
-def _description(problem: MinimumTime, courses: Sequence[Course], missing: Sequence[str]) -> str:
+def _description(problem: Moving, courses: Sequence[Course], missing: Sequence[str]) -> str:
     derivatives = _derivatives(problem)[1:]
     told = "; ".join(
         f"{course.name}: {' + '.join(_short(d) for d in course.durations)} = "
         f"{_short(course.total)} s, with at most "
         + ", ".join(
-            f"{_short(peak(problem, tuple(course.durations), m))} {UNITS[m]}" for m in derivatives
+            f"{_short(highest(problem, _point(course), m))} {UNITS[m]}" for m in derivatives
         )
         for course in courses
     )
@@ -160,14 +196,15 @@ def _description(problem: MinimumTime, courses: Sequence[Course], missing: Seque
     )
     *first, last = (QUANTITIES[m] for m in _derivatives(problem))
     text = (
-        f"{', '.join(first).capitalize()} and {last} of {len(problem.velocity)} joints over time, "
-        f"at rest at every waypoint ({limits}). {told}."
+        f"{', '.join(first).capitalize()} and {last} of {problem.limits.shape[1]} joints over time"
+        f"{', at rest at every waypoint' if isinstance(problem, MinimumTime) else ''} "
+        f"({limits}). {told}."
     )
     return text + (f" No runs yet of {', '.join(missing)}." if missing else "")
 
 
-def _rows(problem: MinimumTime, courses: Sequence[Course]) -> Rows:
-    joints = range(1, len(problem.velocity) + 1)
+def _rows(problem: Moving, courses: Sequence[Course]) -> Rows:
+    joints = range(1, problem.limits.shape[1] + 1)
     sampled = [(course.name, partial(_sampled, problem, course)) for course in courses]
     return sample_rows("motion", sampled, derivatives=_derivatives(problem), joints=joints)
 

@@ -12,7 +12,14 @@ from numpy.typing import NDArray
 from repro.errors import NotProvedError
 from repro.model.evidence import Evidence
 from repro.model.figures import SplineMotion
-from repro.report.drawings.motion import CERTIFIED, QUANTITIES, UNITS, Course, sample_rows
+from repro.report.drawings.motion import (
+    CERTIFIED,
+    QUANTITIES,
+    UNITS,
+    Course,
+    problem_name,
+    sample_rows,
+)
 from repro.report.drawings.style import CURVE_POINTS, Plot, Rows, line_style, name_left_axis, panels
 from repro.report.words import number
 from repro.robotics.proofs.spline_minimum import prove
@@ -89,8 +96,8 @@ def _columns(figure: SplineMotion, courses: Sequence[Course]) -> list[list[Splin
 
 def _courses(figure: SplineMotion, evidence: Evidence) -> tuple[list[Course], list[str]]:
     """Return the motions that can be drawn, and the algorithms of which no run is there."""
-    problems = evidence.experiment(figure.experiment).problems
-    name = next(name for name, problem in problems.items() if problem == figure.problem)
+    experiment = evidence.experiment(figure.experiment)
+    name = problem_name(figure.label, figure.problem, experiment)
     courses = [Course(name=PRINTED, durations=np.array(figure.durations))]
     missing = []
     for algorithm in figure.algorithms:
