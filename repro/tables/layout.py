@@ -127,8 +127,13 @@ def _cells(
 
 def _of_columns_with_numbers(cells: Sequence[GridCell]) -> list[GridCell]:
     """Return the cells but for columns of words or of marks alone."""
-    with_numbers = {cell.j for cell in cells if _is_number(cell.text) or _is_pair(cell.text)}
+    with_numbers = {cell.j for cell in cells if _was_a_number(cell.text)}
     return [cell for cell in cells if cell.j in with_numbers]
+
+
+def _was_a_number(text: str) -> bool:
+    """Say whether a text is a number, or stands for one that is known in part."""
+    return looks_numeric(text) and any(map(str.isdigit, text))
 
 
 def _heading_lines(lines: Sequence[Sequence[str]]) -> int:
@@ -136,7 +141,7 @@ def _heading_lines(lines: Sequence[Sequence[str]]) -> int:
     for i, line in enumerate(lines[: _MOST_HEADINGS + 1]):
         rest = [text for text in line[1:] if text]
         numbers = [text for text in rest if looks_numeric(text)]
-        sure = [text for text in rest if _is_number(text) or _is_pair(text)]
+        sure = [text for text in rest if _was_a_number(text)]
         if sure and 2 * len(numbers) >= len(rest) and not _is_heading_of_sizes(lines, i):
             return i
     return min(1, len(lines))
@@ -144,6 +149,9 @@ def _heading_lines(lines: Sequence[Sequence[str]]) -> int:
 
 def _is_heading_of_sizes(lines: Sequence[Sequence[str]], i: int) -> bool:
     """Say whether a line of whole numbers heads columns: the next one names statistics."""
+    whole = all(text.isdigit() for text in lines[i][1:] if text)
+    if not whole or any(is_statistic(text) for line in lines[:i] for text in line):
+        return False
     below = lines[i + 1] if i + 1 < len(lines) else ()
     return sum(is_statistic(text) for text in below if text) >= 2 and not any(
         _is_number(text) for text in below[1:]

@@ -51,6 +51,7 @@ _NO_VALUE = re.compile(
 _NOT_A_NUMBER = re.compile(r"[-+]?\s?#?(?:nan|ind|-1\.#ind|num!?|div/0!)", re.IGNORECASE)
 _INFINITE = re.compile(r"[-+]?\s?(?:inf(?:inity)?|∞)", re.IGNORECASE)
 _TEST_MARK = re.compile(rf"\(?{_SIGN}{{1,3}}\)?|ns|n\.s\.")
+_FORMULA = re.compile(r"=.*[\w(].*")
 _BOUND = re.compile(r"(?:p\s?)?(?P<side><=|>=|<<|[<>≤≥≪≫])\s?(?P<rest>.+)")
 _ABOUT = re.compile(r"[~≈]\s?[-+.0-9].*|(?:ca\.|about|approx\.?)\s.*")
 _SPACED = re.compile(r"[0-9][ \t\r\n]+[0-9]")  # narrow spaces alone part groups of digits
@@ -209,6 +210,7 @@ def _no_number(text: str) -> NoNumber:
         (_INFINITE, "it is infinite"),
         (_ABOUT, "it is printed as approximate"),
         (_TEST_MARK, "it is a mark of a test"),
+        (_FORMULA, "it is a formula, which is not run"),
     )
     for pattern, because in usual:
         if pattern.fullmatch(text):

@@ -1,0 +1,171 @@
+"""Every form that a table comes in gives the same blocks."""
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from repro.errors import InputError
+from repro.tables.audit_options import AuditOptions
+from repro.tables.auditing import AuditedTable, audit_text, audited
+from repro.tables.grids import grid
+from repro.tables.texts import Form, form_of, tables_in
+
+CSV = "F,Algorithm,Best,Mean,Worst,Std\nF1,WOA,1.0,2.0,3.0,0.5\n,PSO,1.5,2.5,3.5,0.6\n"
+FORMS: dict[Form, str] = {
+    "separated": CSV,
+    "markdown": """
+| F | Algorithm | Best | Mean | Worst | Std |
+|---|:---------:|------|------|-------|-----|
+| F1 | WOA | **1.0** | 2.0 | 3.0 | 0.5 |
+|    | PSO | 1.5 | 2.5 | 3.5 | 0.6 |
+""",
+    "latex": r"""
+\\begin{table}\caption{Results} % of 7 runs
+\begin{tabular}{ll|rrrr} \toprule
+F & Algorithm & Best & Mean & Worst & Std \\ \midrule
+\multirow{2}{*}{$F_1$} & WOA & \textbf{1.0} & 2.0 & 3.0 & \num{0.5} \\ \cline{2-6}
+ & PSO & 1.5 & $2.5$ & 3.5 & 0.6 \\[2pt] \bottomrule
+\end{tabular}\end{table}""",
+    "html": """<p>text</p><table><thead><tr><th>F<th>Algorithm<th>Best<th>Mean<th>Worst<th>Std</thead>
+<tr><td rowspan=2>F1</td><td>WOA</td><td><b>1.0</b></td><td>2.0</td><td>3.0</td><td>0.5</td></tr>
+<tr><td>PSO</td><td>1.5</td><td>2.5</td><td>3.5</td><td>0.6</td></tr></table><script>9</script>""",
+    "pasted": """
+F    Algorithm   Best   Mean   Worst  Std
+-----------------------------------------
+F1   WOA         1.0    2.0    3.0    0.5
+     PSO         1.5    2.5    3.5    0.6
+""",
+}
+
+
+def only(text: str, form: Form | None = None, **told: object) -> AuditedTable:
+    (found,) = audit_text(text, AuditOptions(**told), form=form)  # type: ignore[arg-type]
+    return found
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_every_form_gives_the_same_blocks(form: Form) -> None:
+    found = only(FORMS[form], runs=7)
+
+    assert form_of(FORMS[form]) == form
+    assert (found.cells, found.blocks, found.skipped) == (8, 2, ())
+    assert {row[0] for row in found.places if "PSO" in row[0]} <= {"F1 PSO", "F_1 PSO"}
+    assert found.rows == ()
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_planted_error_is_found_in_every_form(form: Form) -> None:
+    found = only(FORMS[form].replace("2.0", "3.7"), runs=7)
+
+    (row,) = found.proofs
+    assert row.check == "mean-bound"
+    assert found.grid.lines[found.places[row.row or "", row.column or ""][0]].index("3.7") == 3
+
+
+ALGORITHMS_ABOVE = """
+| | | WOA | PSO |
+|-|-|-|-|
+| F1 | Best | 1.0 | 1.5 |
+| | Mean | 2.0 | 2.5 |
+| | Worst | 3.0 | 3.5 |
+| | Std | 0.5 | 0.6 |
+"""
+TWO_HEADINGS = """
+| | WOA | | PSO | |
+|-|-|-|-|-|
+| F | Mean | Std | Mean | Std |
+| F1 | 2.0 | 0.5 | 2.5 | 0.6 |
+| F2 | 2.1 | 0.5 | 2.6 | 0.6 |
+"""
+PAIRS = """
+| F | WOA | PSO |
+|-|-|-|
+| F1 | 2.0 ± 0.5 | 2.5e+0±6.0e-1 (+) |
+| F2 | 2.1 (0.5) | N/A |
+"""
+GROUPS = """
+Algorithm,Best,Mean,Worst
+F1,,,
+WOA,1.0,2.0,3.0
+PSO,1.5,2.5,3.5
+F2,,,
+WOA,4.0,5.0,6.0
+PSO,4.5,5.5,6.5
+"""
+WITH_STATISTICS_IN_NAMES = "Function,WOA_mean,WOA_std,PSO mean,PSO std\nF1,2.0,0.5,2.5,0.6\n"
+REPEATED_HEADINGS = """
+| F | Best | Mean |
+|-|-|-|
+| F1 | 1.0 | 2.0 |
+| F | Best | Mean |
+| F2 | 1.5 | 2.5 |
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "blocks", "cells"),
+    [
+        (ALGORITHMS_ABOVE, 2, 8),
+        (TWO_HEADINGS, 4, 8),
+        (PAIRS, 3, 6),
+        (GROUPS, 4, 12),
+        (WITH_STATISTICS_IN_NAMES, 2, 4),
+        (REPEATED_HEADINGS, 2, 4),
+        ("Method WOA PSO\nBest 1.0 1.5\nMean 2.0 2.5\nWorst 3.0 3.5\n", 2, 6),
+        ("F;Mittelwert;Schlechtester\nF1;1,5;1.234,5\nF2;2,5;3,5\n", 2, 4),
+    ],
+)
+def test_either_orientation_is_read_in_blocks(text: str, blocks: int, cells: int) -> None:
+    found = only(text)
+
+    assert (found.blocks, found.cells) == (blocks, cells)
+    assert not found.rows
+
+
+def test_what_is_no_number_is_counted_with_its_place_and_reason() -> None:
+    found = only(PAIRS.replace("2.1 (0.5)", "<0.001").replace("2.0 ± 0.5", "2.51×10111"))
+
+    assert [(each.text, each.because.split(":")[0]) for each in found.skipped] == [
+        ("2.51×10111", "the exponent's sign was lost in copying"),
+        ("<0.001", "it is a bound (<), not a value"),
+        ("N/A", "no value is printed"),
+    ]
+    assert found.skipped[2].where.endswith("F2, PSO")
+
+
+def test_several_tables_of_one_text_are_apart() -> None:
+    found = audit_text(f"Table 1: first\n{PAIRS}\nTable 2: 30 runs\n{TWO_HEADINGS}", AuditOptions())
+
+    assert [table.blocks for table in found] == [3, 4]
+    assert found[1].runs == 30
+
+
+def test_text_of_a_script_is_no_table() -> None:
+    assert tables_in("<script>let a = '<table><tr><td>1'</script>", "html") == []
+
+
+def test_half_a_file_is_read_as_far_as_it_goes() -> None:
+    for form, text in FORMS.items():
+        found = audit_text(text[: len(text) * 2 // 3], AuditOptions(runs=7), form=form)
+
+        assert not any(table.proofs for table in found), form
+
+
+def test_too_many_cells_are_refused() -> None:
+    with pytest.raises(InputError, match="cells; at most"):
+        tables_in("1,2\n" * 300_000, "separated")
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.text(alphabet="|&\\<>tdr{}a1.5e-,;\t\n \"'±()", max_size=200), st.sampled_from([*FORMS]))
+def test_no_text_stops_the_reader(text: str, form: Form) -> None:
+    for table in audit_text(text, AuditOptions(), form=form):
+        assert table.cells > 0
+
+
+def test_formula_is_text() -> None:
+    (table,) = audited(
+        [grid("", [["F", "Mean"], ["F1", "=1+2"], ["F2", "2.5"]])], AuditOptions(), file="-"
+    )
+
+    assert [(each.text, table.cells) for each in table.skipped] == [("=1+2", 1)]
