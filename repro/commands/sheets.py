@@ -47,11 +47,11 @@ def _tables(sheet: Any, written: Any) -> Iterator[Grid]:  # noqa: ANN401 (openpy
     for row in sheet.iter_rows():
         line = []
         for cell in row:
-            formula = written.cell(row=cell.row, column=cell.column).data_type == "f"
-            formulas += formula
-            if formula and cell.value is None:
-                line.append("= (a formula without a value)")
+            source = written.cell(row=cell.row, column=cell.column)
+            if source.data_type == "f" and cell.value is None:
+                line.append(str(source.value))
                 continue
+            formulas += source.data_type == "f"
             unformatted += isinstance(cell.value, float) and cell.number_format == _AS_IT_IS
             line.append(shown_text(cell.value, cell.number_format))
         lines.append(line)

@@ -26,7 +26,8 @@ F & Algorithm & Best & Mean & Worst & Std \\ \midrule
 \multirow{2}{*}{$F_1$} & WOA & \textbf{1.0} & 2.0 & 3.0 & \num{0.5} \\ \cline{2-6}
  & PSO & 1.5 & $2.5$ & 3.5 & 0.6 \\[2pt] \bottomrule
 \end{tabular}\end{table}""",
-    "html": """<p>text</p><table><thead><tr><th>F<th>Algorithm<th>Best<th>Mean<th>Worst<th>Std</thead>
+    "html": """<p>text</p><table><thead><tr><th>F<th>Algorithm<th>Best<th>Mean<th>Worst<th>Std
+</thead>
 <tr><td rowspan=2>F1</td><td>WOA</td><td><b>1.0</b></td><td>2.0</td><td>3.0</td><td>0.5</td></tr>
 <tr><td>PSO</td><td>1.5</td><td>2.5</td><td>3.5</td><td>0.6</td></tr></table><script>9</script>""",
     "pasted": """
