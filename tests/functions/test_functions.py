@@ -268,3 +268,15 @@ def test_missing_or_empty_dimension_is_refused_with_what_is_allowed(function: Fu
 def test_several_points_at_once_are_refused(x: NDArray[np.float64]) -> None:
     with pytest.raises(InputError, match=r"one point of shape \(n,\)"):
         FUNCTIONS["sphere"](x)
+
+
+def test_all_of_the_classical_23_functions_are_there() -> None:
+    classical = (
+        *("sphere", "schwefel_2_22", "schwefel_1_2", "schwefel_2_21", "rosenbrock", "step"),
+        *("quartic_noise", "schwefel_2_26", "rastrigin", "ackley", "griewank", "penalized_1"),
+        *("penalized_2", "foxholes", "kowalik", "six_hump_camel", "branin", "goldstein_price"),
+        *("hartmann_3", "hartmann_6", "shekel_5", "shekel_7", "shekel_10"),
+    )
+
+    assert len(classical) == 23
+    assert set(classical) <= set(FUNCTIONS)

@@ -12,10 +12,11 @@ import pytest
 
 from repro.determinism.compiled import COST, ready
 from repro.determinism.draws import state_from
-from repro.determinism.noise import ROOM, noise_of_run
+from repro.determinism.noise import ROOM, noise, noise_of_run
 from repro.determinism.seeds import generator
 from repro.determinism.source_digests import _closure
 from repro.functions import FUNCTIONS
+from repro.functions.function import Function
 from repro.functions.shifted import ShiftedProblem
 from repro.optimisers import DBO, DE, GA, GSA, GWO, PSO, SMA, WOA, RandomSearch
 from repro.optimisers.libraries import BASELINES
@@ -208,3 +209,24 @@ def test_no_other_function_depends_on_the_function_with_noise() -> None:
     for name in ("repro.functions.noisy", "repro.determinism.noise"):
         assert not any(name in _closure((module,)) for module in modules)
     assert "repro.determinism.noise" in _closure(("repro.functions.noisy",))
+
+
+def in_plain_python(x: np.ndarray, data: np.ndarray) -> float:
+    return float((x * x).sum() + 0.5 * noise(data))
+
+
+OWN = Function(
+    name="noisy_bowl", title="A bowl with noise", kernel=in_plain_python, box=((-1.0, 1.0),),
+    minimum=0.0, at=(0.0,), source="a paper of one's own", noise=0.5, noise_room=ROOM,
+)  # fmt: skip
+
+
+def test_cost_of_ones_own_may_add_noise_that_follows_from_the_name_of_the_run() -> None:
+    task = tasks(OWN.problem(2), runs=1, guess=EXPERIMENT.algorithms["guess"])[0]
+
+    first, again = execute(task), execute(task)
+
+    assert isinstance(first, Record)
+    assert same(first, again)
+    bare = OWN(first.x)
+    assert bare < first.cost < bare + 0.5
