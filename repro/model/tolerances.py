@@ -156,7 +156,7 @@ class FromMinimum:
         near = max(distance - printed.rounding, 0.0) / factor
         far = (max(distance, 0.0) + printed.rounding) * factor
         if self.minimum == 0 and abs(distance) <= self.zero:
-            return -steps, max(far + steps, self.zero)
+            return 0.0 - steps, max(far + steps, self.zero)  # and not -0.0
         return self.minimum + near - steps, self.minimum + far + steps
 
     @property

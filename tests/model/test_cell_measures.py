@@ -106,6 +106,12 @@ def test_rarer_statistics_are_drawn_from_the_same_tables_as_the_usual_ones() -> 
     assert (best == first).all()
 
 
+def test_words_of_a_count_part_it_from_the_quantity() -> None:
+    words = replace(STATISTIC, statistic="success rate at 1e-8").words
+
+    assert words == "success rate at 1e-8, cost of guess on bowl"
+
+
 def test_every_measure_of_spread_has_its_own_tolerance() -> None:
     table = PublishedTable.read("T, p. 1\nstatistic || guess\nstd || 1\niqr || 1\nmedian || 1")
 

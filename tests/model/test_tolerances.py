@@ -110,6 +110,7 @@ def test_tiny_print_stands_for_all_that_a_printed_zero_stands_for(
     zero = rounded(Printed("0"), tolerance)
     assert low <= zero[0]
     assert high >= zero[1]
+    assert f"{tolerance.band(Printed('4.90e-322'))[0]}" != "-0.0"  # which a page would show
 
 
 def test_bands_of_numbers_that_doubles_hold_are_as_they_were() -> None:

@@ -12,7 +12,7 @@ from repro.determinism.seeds import generator
 from repro.errors import DeclarationError
 from repro.model.evidence import Cell, Evidence
 from repro.model.experiment import Experiment
-from repro.statistics.named import is_of_extremes, statistic_named
+from repro.statistics.named import is_count, is_of_extremes, statistic_named
 from repro.statistics.places import Ties, place
 from repro.statistics.summary import STATISTICS
 from repro.statistics.tables import half_equal, next_tables
@@ -91,7 +91,8 @@ class Statistic:
     @property
     def words(self) -> str:
         """What is measured, as a phrase."""
-        return f"{self.statistic} {self.quantity} of {self.algorithm} on {self.problem}"
+        of = f"{self.quantity} of {self.algorithm} on {self.problem}"
+        return f"{self.statistic}, {of}" if is_count(self.statistic) else f"{self.statistic} {of}"
 
     def cells(self) -> tuple[Cell, ...]:
         """Return the one cell that is needed."""

@@ -10,6 +10,7 @@ from repro.judge.verdict import Verdict
 from repro.model.claims import CellClaim
 from repro.model.measures.measure import Statistic
 from repro.report.words import SYMBOLS
+from repro.statistics.summary import STATISTICS
 
 Row = Mapping[str, Any]
 TRUTH = 1.0
@@ -54,6 +55,7 @@ def truthful(judgement: Judgement, rows: Sequence[Row]) -> Truthful | None:
         if isinstance(claim, CellClaim)
         and isinstance(claim.measure, Statistic)
         and claim.measure.quantity == "cost"  # the calibration is of costs
+        and claim.measure.statistic in STATISTICS  # and of what most tables print
         and finding.verdict not in NOT_JUDGED
     ]
     depths = [row["repeats"] for row in rows if row["repeats"] <= judgement.repeats]

@@ -4,6 +4,7 @@ import pytest
 
 from repro.judge.judgement import Judgement, judge
 from repro.judge.verdict import Verdict
+from repro.model.measures.measure import Statistic
 from repro.report.views.calibration import coverage_sheet, share_sheets, truthful
 from tests.judge.test_other_readings import WIDER, evidence, open_paper
 
@@ -50,6 +51,19 @@ def test_cells_that_are_not_judged_are_no_part_of_it() -> None:
     whole = judgement()
     first, *others = whole.findings
     some = replace(whole, findings=(replace(first, verdict=Verdict.NOT_RUN), *others))
+
+    found = truthful(some, rows(**SHARES))
+
+    assert found is not None
+    assert found.cells == 3
+
+
+def test_statistics_that_are_not_calibrated_are_no_part_of_it() -> None:
+    whole = judgement()
+    first, *others = whole.paper.claims
+    assert isinstance(first.measure, Statistic)
+    median = replace(first, measure=replace(first.measure, statistic="median"))
+    some = replace(whole, paper=replace(whole.paper, claims=(median, *others)))
 
     found = truthful(some, rows(**SHARES))
 
