@@ -2,6 +2,7 @@
 
 from repro.robotics.joint_axes import freedoms, jacobian
 from repro.robotics.kinematics import Convention, dh_rows, forward_kinematics
+from repro.robotics.law import Law
 from repro.robotics.path_fitting import PathFitting
 from repro.robotics.polynomials import RestToRestLaw, cubic, quintic, septic
 from repro.robotics.rest_to_rest import MinimumTime, peak
@@ -10,6 +11,7 @@ from repro.robotics.spline_motion import MinimumTimeSpline
 
 __all__ = [
     "Convention",
+    "Law",
     "MinimumTime",
     "MinimumTimeSpline",
     "PathFitting",

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from repro.determinism.compiled import jit
 from repro.errors import DeclarationError
+from repro.robotics.law import Law, check_law
 from repro.robotics.motion_checks import check_motion
-from repro.robotics.polynomials import RestToRestLaw
 
 Vector = NDArray[np.float64]
 Handling = Literal[
@@ -97,8 +97,9 @@ def _price(x, broken, each, data):
 class MinimumTime:
     """Choose the duration of each segment so that the sum is least and every limit is kept.
 
-    `waypoints` (points, joints) in rad; `velocity`, `acceleration`, `jerk` are limits per joint in
-    rad/s, rad/s², rad/s³; `durations` are the (shortest, longest) that a search may try, in s.
+    `waypoints` (points, joints) in rad; every joint follows the `law`; `velocity`, `acceleration`,
+    `jerk` are limits per joint in rad/s, rad/s², rad/s³; `durations` are the (shortest, longest)
+    that a search may try, in s.
     `handling` says what a search is told of a motion that breaks a limit: "feasibility first"
     ranks it behind every motion that obeys (K. Deb, Computer Methods in Applied Mechanics and
     Engineering 186 (2000) 311-338), "penalty" adds `weight` seconds per unit of relative excess,
@@ -108,7 +109,7 @@ class MinimumTime:
     """
 
     waypoints: tuple[tuple[float, ...], ...]
-    law: RestToRestLaw
+    law: Law
     velocity: tuple[float, ...]
     acceleration: tuple[float, ...]
     jerk: tuple[float, ...] | None = None
@@ -118,12 +119,13 @@ class MinimumTime:
     penalties: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
     def __post_init__(self) -> None:
-        """Raise DeclarationError for waypoints, limits, durations or penalties that cannot be."""
+        """Raise DeclarationError for a law, points, limits, times or penalties that cannot be."""
         kinds = (self.velocity, self.acceleration, *((self.jerk,) if self.jerk else ()))
         check_motion(self.waypoints, kinds, self.durations, called="waypoints")
         if not all(0.0 <= price < np.inf for price in (self.weight, *self.penalties)):
             message = f"weight {self.weight} and penalties {self.penalties} must be 0 or more"
             raise DeclarationError(message)
+        check_law(self.law, {m: kind for m, kind in DERIVATIVES.items() if m < 3 or self.jerk})
 
     @property
     def segments(self) -> int:
@@ -142,6 +144,12 @@ class MinimumTime:
         return np.array([self.velocity, self.acceleration, jerk])
 
     @property
+    def factors(self) -> Vector:
+        """Peak factors of the law in the first three derivatives (3,), 0 where none is limited."""
+        limited = [True, True, self.jerk is not None]
+        return np.array([self.law.peak_factor(m) if limited[m - 1] else 0.0 for m in DERIVATIVES])
+
+    @property
     def bounds(self) -> Vector:
         """Shortest and longest duration of each segment, shape (segments, 2), in s."""
         return np.tile(np.array(self.durations), (self.segments, 1))
@@ -157,9 +165,8 @@ class MinimumTime:
         handling = get_args(Handling).index(self.handling)
         longest = self.segments * self.durations[1]
         header = (self.segments, len(self.velocity), handling, self.weight, longest)
-        factors = [self.law.peak_factor(m) for m in DERIVATIVES]
         limits, distances = self.limits.ravel(), self.distances.ravel()
-        return np.concatenate([header, self.penalties, factors, limits, distances])
+        return np.concatenate([header, self.penalties, self.factors, limits, distances])
 
     @property
     def identity(self) -> tuple[object, ...]:
@@ -172,9 +179,9 @@ class MinimumTime:
 
     def times_to_keep(self) -> Vector:
         """Return the least duration per (segment, derivative, joint), in s."""
+        factors = self.factors.tolist()
         least = [
-            (self.law.peak_factor(m) * self.distances / self.limits[m - 1]) ** (1 / m)
-            for m in DERIVATIVES
+            (factors[m - 1] * self.distances / self.limits[m - 1]) ** (1 / m) for m in DERIVATIVES
         ]
         return np.stack(least, axis=1)
 
