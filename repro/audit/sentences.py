@@ -1,10 +1,10 @@
-"""Sentences of the text against the cells that they speak of."""
+"""Sentences of the text, and printed ranks, against the cells that they speak of."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
 
-from repro.model.claims import CellClaim, Sentence
+from repro.model.claims import CellClaim, Claim, Sentence
 from repro.model.measures.measure import Measure, Rank, Statistic
 from repro.model.paper import Paper
 from repro.tables.arithmetic import NARROWEST, Arithmetic, statistic_span
@@ -17,21 +17,22 @@ Cells = Mapping[Statistic, TableCell]
 
 
 def sentence_rows(paper: Paper) -> Iterator[AuditRow]:
-    """Yield a row per sentence that the printed table itself contradicts."""
+    """Yield a row per sentence or printed rank that the printed table itself contradicts."""
     cells = {
         claim.measure: claim.cell
         for claim in paper.claims
         if isinstance(claim, CellClaim) and isinstance(claim.measure, Statistic)
     }
     for claim in paper.claims:
-        if isinstance(claim, Sentence) and claim.measure is not None:
+        if claim.measure is not None:
             yield from _rank(paper.key, claim, claim.measure, cells)
+        if isinstance(claim, Sentence) and claim.measure is not None:
             yield from _same_number(paper.key, claim, claim.measure, cells)
 
 
-def _rank(paper: str, claim: Sentence, measure: Measure, cells: Cells) -> Iterator[AuditRow]:
+def _rank(paper: str, claim: Claim, measure: Measure, cells: Cells) -> Iterator[AuditRow]:
     """Check a rank where every number that it compares stands in one table; ties may share."""
-    if not isinstance(measure, Rank):
+    if not isinstance(measure, Rank) or measure.ties == "dense":  # whose places others decide, too
         return
     rivals = [name for name in measure.among if name != measure.of.algorithm]
     names = (measure.of.algorithm, *rivals)
@@ -51,19 +52,26 @@ def _rank(paper: str, claim: Sentence, measure: Measure, cells: Cells) -> Iterat
     lower = [name for name in rivals if _lies_below(found[name], found[own], measure.of)]
     below = " and ".join(f"{found[name].printed.text} for {name}" for name in lower)
     cell = found[own]
+    own_cell = (claim.cell,) if isinstance(claim, CellClaim) else ()
     yield audit_row(
         paper,
-        (cell, *(found[name] for name in lower)),
-        check="rank-in-text",
+        (*own_cell, cell, *(found[name] for name in lower)),
+        check="rank-in-table" if own_cell else "rank-in-text",
         grade=Grade.INCONSISTENT,
         explanation=(
-            f"{claim.where} says, {claim.claim!r}: rank {claim.printed.text}. "
+            f"{_said(claim)}: rank {claim.printed.text}. "
             f"{cell.table.label} prints {cell.printed.text} for {own}, and "
             f"{below or 'nothing'} below it, which makes it rank {place.low}"
             + (f" to {place.high}" if place.high > place.low else "")
         ),
         condition=wrong[0].beyond(COMPARED),
     )
+
+
+def _said(claim: Claim) -> str:
+    if isinstance(claim, CellClaim):
+        return f"{claim.cell.where} prints"
+    return f"{claim.where} says, {claim.claim!r}"
 
 
 def _same_number(paper: str, claim: Sentence, measure: Measure, cells: Cells) -> Iterator[AuditRow]:
@@ -100,6 +108,6 @@ def _span(cell: TableCell, statistic: Statistic, given: Arithmetic) -> Span:
     return statistic_span(
         cell.printed,
         scientific=is_scientific(cell.table),
-        spread=statistic.statistic == "std",
+        spread=statistic.statistic in ("std", "standard error"),
         given=given,
     )
