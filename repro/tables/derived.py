@@ -17,7 +17,6 @@ from repro.tables.rows import AuditRow, Grade, audit_row
 from repro.tables.true_numbers import DOUBLES, SINGLES, Span, exact, root, span, unit
 
 Formula = Callable[[Sequence[Span]], Span]
-COUNTED = ("count", "rank")  # units whose whole numbers nobody rounds
 _NAME = re.compile(r"[A-Za-z_]\w*")
 _WHOLE = re.compile(r"[-+]?\d+")
 _ROOT_ERROR = Fraction(1, 10**25)  # of a root to 28 digits

@@ -1,0 +1,26 @@
+from dataclasses import replace
+
+from repro.audit.blocks import blocks
+from repro.model.claims import every_cell
+from repro.model.tolerances import Absolute
+from repro.tables.published import PublishedTable
+from tests.small_papers import EXPERIMENT, PAPER
+
+TABLE = PublishedTable.read("""
+    Table 1, p. 3
+    problem | statistic                   || guess | wide
+    bowl    | mean                        || 0.05  | 0.5
+            | median                      || 0.04  | 0.4
+            | success rate at 0.1 [%]     || 90    | 0
+            | rank [rank]                 || 1     | 2
+""")
+
+
+def test_counts_and_ranks_of_runs_are_no_costs_of_a_block() -> None:
+    claims = every_cell(
+        TABLE, of=EXPERIMENT, rows=("problem", "statistic"), columns="algorithm", within=Absolute(0)
+    )
+
+    found = blocks(replace(PAPER, results=(TABLE,), claims=claims))
+
+    assert [set(block.cells) for block in found] == [{"mean", "median"}] * 2
