@@ -14,10 +14,9 @@ from repro.audit.poses import pose_rows
 from repro.audit.sentences import sentence_rows
 from repro.audit.times import time_rows
 from repro.model.paper import Paper
+from repro.tables.checks import rows_of_blocks
 from repro.tables.derived import equal_rows, formula_rows, ratio_rows
-from repro.tables.doubles import double_rows
 from repro.tables.inputs import range_rows, same_rows, spacing_rows
-from repro.tables.order import order_rows
 from repro.tables.probabilities import p_value_rows
 from repro.tables.ranks import rank_rows
 from repro.tables.relations import (
@@ -38,7 +37,6 @@ from repro.tables.relations import (
 )
 from repro.tables.repeats import repeat_rows
 from repro.tables.rows import AuditRow, CellPlace, Grade
-from repro.tables.spread import spread_rows
 from repro.tables.sums import difference_rows, mean_rows, percentage_rows, sum_rows
 
 __all__ = ["AuditRow", "CellPlace", "Grade", "audit"]
@@ -51,10 +49,7 @@ def audit(paper: Paper) -> tuple[AuditRow, ...]:
 
 def _rows(paper: Paper) -> Iterator[AuditRow]:
     found = blocks(paper)
-    for block in found:
-        yield from order_rows(paper.key, block)
-        yield from spread_rows(paper.key, block)
-        yield from double_rows(paper.key, block)
+    yield from rows_of_blocks(paper.key, found)
     yield from time_rows(paper)
     yield from sentence_rows(paper)
     for relation in paper.relations:

@@ -24,6 +24,8 @@ CONDITIONS = {
     "exact_zeros": "a bare 0 stands for what the arithmetic rounds to 0, not for a small number",
     "whole": "no digit of a whole number is rounded away",
     "in_box": "every run ends inside the box",
+    "two_pass": "standard deviations are taken from differences to the mean, and not from the mean "
+    "of squares less the square of the mean",
 }
 _WHOLE = re.compile(r"[-+]?0*(\d+)")
 
@@ -35,12 +37,15 @@ class Arithmetic:
     Without `doubles` runs and statistics may be in single precision. Without `exact_zeros` a bare
     0 among powers of ten may stand for any number that rounds to it. Without `whole` the last
     digits of a whole number may be rounded away. Without `in_box` runs may end outside the box.
+    Without `two_pass` a variance may be the mean of squares less the square of the mean, which
+    cancels where runs are nearly equal.
     """
 
     doubles: bool = False
     exact_zeros: bool = False
     whole: bool = False
     in_box: bool = False
+    two_pass: bool = False
 
     def beyond(self, known: "Arithmetic") -> str | None:
         """Return what is taken for granted and not known, as the end of "holds if …"."""
@@ -56,7 +61,7 @@ class Arithmetic:
         return Fraction(1, 2**53 if self.doubles else 2**24)
 
 
-NARROWEST = Arithmetic(doubles=True, exact_zeros=True, whole=True, in_box=True)
+NARROWEST = Arithmetic(doubles=True, exact_zeros=True, whole=True, in_box=True, two_pass=True)
 
 
 def joined(conditions: Iterable[str | None]) -> str | None:
@@ -64,14 +69,11 @@ def joined(conditions: Iterable[str | None]) -> str | None:
     return ", and ".join(filter(None, conditions)) or None
 
 
-def statistic_span(
-    printed: Printed, *, scientific: bool, spread: bool, given: Arithmetic, digits: int = DIGITS
-) -> Span:
+def statistic_span(printed: Printed, *, scientific: bool, spread: bool, given: Arithmetic) -> Span:
     """Return what can stand behind a printed statistic, but for the rounding of a mean.
 
     Where a table prints powers of ten (`scientific`), a bare 0 has no last digit. `spread` says
-    that the statistic is a standard deviation, `digits` how many significant digits are sure to
-    be printed of a whole number.
+    that the statistic is a standard deviation.
     """
     if spread:
         in_doubles = given.doubles or 0 < printed.value < LEAST_SINGLE_STD
@@ -81,7 +83,7 @@ def statistic_span(
     bare = given.exact_zeros and is_bare_zero(printed, scientific=scientific)
     if printed.value == 0 and (bare or is_scientific_number(printed)):
         return Span(-tiny, tiny)
-    last = None if given.whole else rounded_at(printed, digits)
+    last = None if given.whole else rounded_at(printed)
     around = span(printed, last=last)
     return Span(around.low - tiny, around.high + tiny)
 
@@ -92,17 +94,10 @@ def is_bare_zero(printed: Printed, *, scientific: bool) -> bool:
     return scientific and printed.value == 0 and not marks
 
 
-def rounded_at(printed: Printed, digits: int) -> Fraction | None:
+def rounded_at(printed: Printed) -> Fraction | None:
     """Return the unit that a whole number may be rounded to; None where it ends in no 0 beyond."""
     match = _WHOLE.fullmatch(printed.mantissa)
     if match is None or printed.power is not None:
         return None
-    if len(match[1]) <= digits or match[1][digits:].strip("0"):
-        return None
-    return Fraction(10 ** (len(match[1]) - digits))
-
-
-def significant(printed: Printed) -> int:
-    """Return how many digits are sure to be printed: zeros at the end of a whole number are not."""
-    digits = printed.mantissa.lstrip("+-").replace(".", "").lstrip("0")
-    return len(digits if "." in printed.mantissa else digits.rstrip("0"))
+    kept = max(DIGITS, len(match[1].rstrip("0")))
+    return Fraction(10 ** (len(match[1]) - kept)) if kept < len(match[1]) else None

@@ -1,12 +1,13 @@
 """The printed statistics of one algorithm on one problem, and what they are statistics of."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from repro.tables.arithmetic import DIGITS, NARROWEST, Arithmetic, significant, statistic_span
+from repro.tables.arithmetic import NARROWEST, Arithmetic, statistic_span
 from repro.tables.published import Printed
 from repro.tables.relations import Cell
+from repro.tables.statistic_words import SPREADS, quantile_share
 from repro.tables.true_numbers import Span
 
 
@@ -29,14 +30,30 @@ class FunctionBounds:
     ceiling: Fraction | None = None
     step: Fraction = Fraction(0)
     condition: str = ""
-    fixed: tuple[float, ...] = ()
+    fixed: tuple[float | Fraction, ...] = ()
+
+
+_ENDS = {"best": "worst", "worst": "best"}
+
+
+def known_minimum(title: str, minimum: Fraction) -> FunctionBounds:
+    """Return the bounds of values of which no more is known than that none lies below `minimum`.
+
+    `title` names them in a sentence, such as "an error".
+    """
+    return FunctionBounds(
+        title=title, minimum=minimum, floor=minimum, floor_in_singles=minimum, fixed=(minimum,)
+    )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Block:
     """Statistics by name ("best", "mean", …) as printed in one table, over `n` runs.
 
-    `given` is what is taken for granted of how they were made.
+    The best run is the least one, or the greatest where the runs `maximise`; a block that is
+    `turned` names the least one "best" whatever the print calls it, as all checks expect. `given`
+    is what is taken for granted of how the numbers were made. Runs that are `whole_numbers` are
+    counts, or costs of which each is whole.
     """
 
     problem_name: str
@@ -47,6 +64,9 @@ class Block:
     scientific: bool
     function: FunctionBounds | None = None
     given: Arithmetic = NARROWEST
+    maximise: bool = False
+    whole_numbers: bool = False
+    turned: bool = False
 
     @property
     def floor(self) -> Fraction | None:
@@ -67,12 +87,25 @@ class Block:
     @property
     def mean_error(self) -> Fraction:
         """How far a computed mean may be from the true one, in whatever order it is summed."""
-        return 2 * (self.n + 2) * self.given.roundoff * self._size()
+        return 2 * (self.n + 2) * self.given.roundoff * self.size
 
     @property
-    def digits(self) -> int:
-        """Significant digits that every whole number of the block is sure to have."""
-        return max(DIGITS, *(significant(cell.printed) for cell in self.cells.values()))
+    def greatest_mean(self) -> Fraction:
+        """How large the mean can be, its sign aside."""
+        return _reach(self.own_span("mean")) if "mean" in self.cells else self.size
+
+    @property
+    def spread(self) -> str | None:
+        """The statistic that says the standard deviation; None where none does."""
+        return next((name for name in SPREADS if name in self.cells), None)
+
+    def word(self, statistic: str) -> str:
+        """Return what the print calls a statistic."""
+        return _ENDS.get(statistic, statistic) if self.turned else statistic
+
+    def named(self, statistic: str) -> str:
+        """Return what the print calls a statistic, and the number."""
+        return f"{self.word(statistic)} {self.printed(statistic).text}"
 
     def printed(self, statistic: str) -> Printed:
         """Return the number as printed."""
@@ -83,7 +116,7 @@ class Block:
         around = self._print_span(statistic)
         if statistic == "mean":
             error = self.mean_error
-        elif statistic == "median":  # of an even number: half the sum of two runs
+        elif quantile_share(statistic) is not None:  # half the sum of two runs, or near it
             error = 2 * self.given.roundoff * _reach(around)
         else:
             return around
@@ -94,21 +127,32 @@ class Block:
         if statistic not in self.cells:
             return None
         whole, floor = self.own_span(statistic), self.floor
-        if statistic == "std" or floor is None:
+        if statistic in SPREADS or floor is None:
             return whole
         return Span(max(whole.low, floor), max(whole.high, floor))
+
+    def variances(self, statistic: str) -> Span | None:
+        """Return what can be the square of the standard deviation that a spread says."""
+        around = self.own_span(statistic)
+        if around.high < 0:
+            return None
+        low, high = max(around.low, Fraction(0)), around.high
+        if statistic == "variance":
+            return Span(low, high)
+        runs = self.n if statistic == "standard error" else 1
+        return Span(low**2 * runs, high**2 * runs)
 
     def _print_span(self, statistic: str) -> Span:
         return statistic_span(
             self.printed(statistic),
             scientific=self.scientific,
-            spread=statistic == "std",
+            spread=statistic in SPREADS,
             given=self.given,
-            digits=self.digits,
         )
 
-    def _size(self) -> Fraction:
-        """Return what the mean of the absolute values of the runs is at most."""
+    @property
+    def size(self) -> Fraction:
+        """What the mean of the absolute values of the runs is at most."""
         low = self._print_span("best").low if "best" in self.cells else self.floor
         high = self._print_span("worst").high if "worst" in self.cells else self.ceiling
         ends = [] if low is None or high is None else [_reach(Span(low, high))]
@@ -120,6 +164,14 @@ class Block:
         if high is not None:
             ends.append(mean + 2 * max(Fraction(0), high))
         return min(ends, default=mean)
+
+
+def turned(block: Block) -> Block:
+    """Return the block with the least run named "best", whichever the print calls so."""
+    if not block.maximise or block.turned:
+        return block
+    cells = {_ENDS.get(name, name): cell for name, cell in block.cells.items()}
+    return replace(block, cells=cells, turned=True)
 
 
 def _reach(around: Span) -> Fraction:

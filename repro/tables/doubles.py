@@ -9,6 +9,7 @@ from repro.tables.arithmetic import IN_DOUBLES
 from repro.tables.blocks import Block
 from repro.tables.graded import graded
 from repro.tables.rows import AuditRow, Grade, audit_row
+from repro.tables.statistic_words import SPREADS
 from repro.tables.true_numbers import Span, exact, shown, span
 
 RUNS = 1000  # the largest number of runs that is tried to explain a spread of rounding
@@ -17,8 +18,11 @@ SPACINGS = 16  # a computed mean of equal values is off by fewer of its last bit
 
 def double_rows(paper: str, block: Block) -> Iterator[AuditRow]:
     """Yield rows for values below the minimum, between two doubles, and for spreads of rounding."""
-    for name in ("best", "mean", "median", "worst"):
-        if name in block.cells and block.function is not None:
+    for name in block.cells:
+        if name not in SPREADS and block.function is not None:
+            yield from graded(
+                paper, block, (name,), check="above-ceiling", finds=partial(_above_ceiling, name)
+            )
             yield from graded(
                 paper, block, (name,), check="below-minimum", finds=partial(_below_minimum, name)
             )
@@ -49,6 +53,16 @@ def _below_minimum(statistic: str, block: Block) -> str:
         f"printed is {block.printed(statistic).text}, at most {shown(highest)} with its rounding; "
         f"{function.title} has the minimum {shown(function.minimum)}, and no run or mean "
         "of runs lies below it"
+    )
+
+
+def _above_ceiling(statistic: str, block: Block) -> str:
+    lowest, function = block.own_span(statistic).low, block.function
+    if function is None or block.ceiling is None or lowest <= block.ceiling:
+        return ""
+    return (
+        f"printed is {block.printed(statistic).text}, at least {shown(lowest)} with its rounding; "
+        f"no value of {function.title} on its box is above {shown(block.ceiling)}"
     )
 
 

@@ -31,31 +31,34 @@ def graded(
     `finds` returns an explanation, or nothing where it finds nothing; the one shown takes all for
     granted. `condition` is what the check needs however the table was made.
     """
+    explanation = finds(block)  # with all granted: what that does not find, nothing else does
+    if not explanation:
+        return
     tried = ways(block)
-    found = [(given, finds(replace(block, given=given))) for given in tried]
-    found = [(given, explanation) for given, explanation in found if explanation]
-    if found:
-        yield audit_row(
-            paper,
-            tuple(block.cells[name] for name in statistics),
-            check=check,
-            grade=Grade.IMPOSSIBLE,
-            explanation=found[-1][1],
-            condition=joined((condition, found[0][0].beyond(tried[0]))),
-        )
+    needed = next(given for given in (*tried, block.given) if finds(replace(block, given=given)))
+    yield audit_row(
+        paper,
+        tuple(block.cells[name] for name in statistics),
+        check=check,
+        grade=Grade.IMPOSSIBLE,
+        explanation=explanation,
+        condition=joined((condition, needed.beyond(tried[0]))),
+    )
 
 
 def ways(block: Block) -> list[Arithmetic]:
     """Return how the block may have been made, from what takes least for granted to most."""
     printed = [cell.printed for cell in block.cells.values()]
     zeros = any(is_bare_zero(each, scientific=block.scientific) for each in printed)
-    whole = any(rounded_at(each, block.digits) for each in printed)
+    whole = any(rounded_at(each) for each in printed)
     boxed = block.function is not None and block.function.only_in_box
-    choices = [(False, True) if is_open else (False,) for is_open in (zeros, whole, boxed)]
+    spread = block.spread is not None
+    is_open = (zeros, whole, boxed, spread)
+    choices = [(False, True) if each else (False,) for each in is_open]
     doubles = (True,) if _needs_doubles(block) else (False, True)
     return [
-        Arithmetic(exact_zeros=z, whole=w, in_box=b, doubles=d)
-        for z, w, b, d in sorted(product(*choices, doubles), key=sum)
+        Arithmetic(exact_zeros=z, whole=w, in_box=b, two_pass=t, doubles=d)
+        for z, w, b, t, d in sorted(product(*choices, doubles), key=sum)
     ]
 
 

@@ -1,5 +1,6 @@
 """best ≤ mean ≤ worst, and a mean that n runs with this best and worst can have."""
 
+import itertools
 import math
 from collections.abc import Iterator
 from fractions import Fraction
@@ -8,18 +9,27 @@ from functools import partial
 from repro.tables.blocks import Block
 from repro.tables.graded import graded
 from repro.tables.rows import AuditRow
+from repro.tables.statistic_words import quantile_share
 from repro.tables.true_numbers import Span, shown
 
-ORDERED = (("best", "median"), ("median", "worst"), ("best", "worst"))
 MANY = 10**6  # from here on a number of runs is shown in round figures
 
 
 def order_rows(paper: str, block: Block) -> Iterator[AuditRow]:
     """Yield a row per pair that stands in the wrong order, and one for a mean out of reach."""
-    for pair in ORDERED:
+    for pair in _ordered(block):
         yield from graded(paper, block, pair, check="order", finds=partial(_reversed, *pair))
     for finds in (_mean_too_low, _mean_too_high):
         yield from graded(paper, block, ("mean",), check="mean-bound", finds=finds)
+
+
+def _ordered(block: Block) -> Iterator[tuple[str, str]]:
+    """Yield the pairs of printed statistics of which the first is no greater than the second."""
+    shares = {name: quantile_share(name) for name in block.cells}
+    inner = sorted((share, name) for name, share in shares.items() if share is not None)
+    yield from itertools.combinations(
+        [name for name in ("best", *(name for _, name in inner), "worst") if name in block.cells], 2
+    )
 
 
 def _reversed(lower: str, upper: str, block: Block) -> str:
@@ -27,9 +37,8 @@ def _reversed(lower: str, upper: str, block: Block) -> str:
     if low is None or high is None or low.low <= high.high:
         return ""
     return (
-        f"{lower} {block.printed(lower).text} is greater than {upper} "
-        f"{block.printed(upper).text}: at least {shown(low.low)} against at most "
-        f"{shown(high.high)}"
+        f"{block.named(lower)} is greater than {block.named(upper)}: at least "
+        f"{shown(low.low)} against at most {shown(high.high)}"
     )
 
 
@@ -45,7 +54,7 @@ def _mean_too_low(block: Block) -> str:
     if mean.high < best.low:
         return (
             f"the mean {block.printed('mean').text}, at most {shown(mean.high)} with rounding, "
-            f"lies below the best {block.printed('best').text}, at least {shown(best.low)}: no "
+            f"lies below the {block.named('best')}, at least {shown(best.low)}: no "
             "number of runs allows that"
         )
     if not worst:
@@ -55,8 +64,8 @@ def _mean_too_low(block: Block) -> str:
         return ""
     runs = _runs_needed(far=worst.low - best.low, near=mean.high - best.low)
     return (
-        f"one of {block.n} runs is the worst {block.printed('worst').text}, none is below the best "
-        f"{block.printed('best').text}, so the mean is at least "
+        f"one of {block.n} runs is the {block.named('worst')}, none is below the "
+        f"{block.named('best')}, so the mean is at least "
         f"({shown(worst.low)} + {block.n - 1} × {shown(best.low)})/{block.n} = {shown(least)}; "
         f"printed is {block.printed('mean').text}, at most {shown(mean.high)}. {runs}"
     )
@@ -69,7 +78,7 @@ def _mean_too_high(block: Block) -> str:
     if mean.low > worst.high:
         return (
             f"the mean {block.printed('mean').text}, at least {shown(mean.low)} with rounding, "
-            f"lies above the worst {block.printed('worst').text}, at most {shown(worst.high)}: no "
+            f"lies above the {block.named('worst')}, at most {shown(worst.high)}: no "
             "number of runs allows that"
         )
     if not best:
@@ -79,8 +88,8 @@ def _mean_too_high(block: Block) -> str:
         return ""
     runs = _runs_needed(far=worst.high - best.high, near=worst.high - mean.low)
     return (
-        f"one of {block.n} runs is the best {block.printed('best').text}, none is above the worst "
-        f"{block.printed('worst').text}, so the mean is at most "
+        f"one of {block.n} runs is the {block.named('best')}, none is above the "
+        f"{block.named('worst')}, so the mean is at most "
         f"({shown(best.high)} + {block.n - 1} × {shown(worst.high)})/{block.n} = "
         f"{shown(greatest)}; printed is {block.printed('mean').text}, at least {shown(mean.low)}. "
         f"{runs}"

@@ -10,6 +10,7 @@ from repro.tables.true_numbers import shown, span
 
 # In single precision z is off by a few 2^-24 of itself, and a p-value by z² times as much.
 COMPUTED = Fraction(1, 2**12)
+SIDES = {1: "one-sided", 2: "two-sided"}
 
 
 def p_value_rows(paper: str, relation: PValues) -> Iterator[AuditRow]:
@@ -26,9 +27,9 @@ def p_value_rows(paper: str, relation: PValues) -> Iterator[AuditRow]:
 def _row(paper: str, number: Number, relation: PValues, grade: Grade) -> AuditRow:
     n = relation.n
     size, formula = (
-        (f"{n} against {n} values", f"2/C({2 * n}, {n})")
+        (f"{n} against {n} values", f"{relation.sides}/C({2 * n}, {n})")
         if relation.test == "rank-sum"
-        else (f"{n} pairs", f"2/2^{n}")
+        else (f"{n} pairs", f"{relation.sides}/2^{n}")
     )
     return audit_row(
         paper,
@@ -36,9 +37,9 @@ def _row(paper: str, number: Number, relation: PValues, grade: Grade) -> AuditRo
         check="p-value",
         grade=grade,
         explanation=(
-            f"printed is p = {number.printed.text} for a two-sided {relation.test} test of {size}; "
-            f"the exact test gives {formula} = {shown(_exact_floor(relation))} at least, the "
-            f"normal approximation {shown(_approximate_floor(relation))} at least (without "
+            f"printed is p = {number.printed.text} for a {SIDES[relation.sides]} "
+            f"{relation.test} test of {size}; the exact test gives {formula} = "
+            f"{shown(_exact_floor(relation))} at least, the normal approximation {shown(_approximate_floor(relation))} at least (without "
             "continuity correction, ties as favourable as can be); no test gives more than 1"
         ),
     )
@@ -47,7 +48,7 @@ def _row(paper: str, number: Number, relation: PValues, grade: Grade) -> AuditRo
 def _exact_floor(relation: PValues) -> float:
     """Return the p-value of two fully separated samples, or of n differences of one sign."""
     n = relation.n
-    return 2 / (math.comb(2 * n, n) if relation.test == "rank-sum" else 2**n)
+    return relation.sides / (math.comb(2 * n, n) if relation.test == "rank-sum" else 2**n)
 
 
 def _approximate_floor(relation: PValues) -> float:
@@ -63,4 +64,4 @@ def _approximate_floor(relation: PValues) -> float:
     else:
         variance = n * (n + 1) * (2 * n + 1) / 24 - (n**3 - n) / 48
         z = n * (n + 1) / 4 / math.sqrt(variance)
-    return math.erfc(z / math.sqrt(2))
+    return math.erfc(z / math.sqrt(2)) * relation.sides / 2

@@ -171,11 +171,12 @@ class AverageRank:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PValues:
-    """Two-sided p-values of a test of two samples of `n` values each, or of n pairs."""
+    """The p-values of a test of two samples of `n` values each, or of n pairs."""
 
     numbers: tuple[Number, ...]
     test: RankTest
     n: int
+    sides: Literal[1, 2] = 2
 
     def __post_init__(self) -> None:
         """Raise DeclarationError for an empty sample."""

@@ -93,6 +93,21 @@ def root(number: Fraction) -> Decimal:
         return (Decimal(number.numerator) / Decimal(number.denominator)).sqrt()
 
 
+def root_below(number: Fraction) -> Fraction:
+    """Return a number just below the square root, exactly: short of it by less than 2^-60 of it."""
+    if number <= 0:
+        return Fraction(0)
+    top, bottom = number.numerator * number.denominator, number.denominator
+    shift = max(0, 128 - top.bit_length())
+    shift += shift % 2
+    return Fraction(math.isqrt(top << shift), bottom << (shift // 2))
+
+
+def root_above(number: Fraction) -> Fraction:
+    """Return a number just above the square root, by less than 2^-50 of it."""
+    return root_below(number) * (1 + Fraction(1, 2**50))
+
+
 def shown(number: Fraction | Decimal | float) -> str:
     """Return the number with five significant digits."""
     return f"{float(number):.5g}"
