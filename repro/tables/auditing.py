@@ -6,8 +6,8 @@ from fractions import Fraction
 from typing import Any
 
 from repro.tables.audit_options import AuditOptions, Guess
-from repro.tables.block_checks import block_rows
 from repro.tables.blocks import Block, FunctionBounds
+from repro.tables.checks import block_rows
 from repro.tables.gathered import Entry, Gathered, Skipped, gathered, numbered
 from repro.tables.grids import Grid
 from repro.tables.guesses import guess_lines, guessed_runs, is_maximised

@@ -74,7 +74,9 @@ class Block:
         function = self.function
         if function is None or (function.only_in_box and not self.given.in_box):
             return None
-        return function.floor if self.given.doubles else function.floor_in_singles
+        if not self.given.doubles:
+            return function.floor_in_singles
+        return max(function.floor, function.floor_in_singles)  # doubles lose no more than singles
 
     @property
     def ceiling(self) -> Fraction | None:

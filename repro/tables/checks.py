@@ -7,7 +7,7 @@ from repro.tables.blocks import Block, turned
 from repro.tables.counts import success_rows, tally_rows
 from repro.tables.decisions import decision_rows
 from repro.tables.doubles import double_rows
-from repro.tables.facts import Decision, Fact, Ranking, Success, Tally
+from repro.tables.facts import Decision, Fact, RankedRows, Success, WinsAndLosses
 from repro.tables.order import order_rows
 from repro.tables.quantiles import quantile_rows
 from repro.tables.rankings import ranking_rows
@@ -50,9 +50,9 @@ def block_rows(paper: str, block: Block) -> Iterator[AuditRow]:
 def fact_rows(paper: str, fact: Fact) -> Iterator[AuditRow]:
     """Yield what one fact says of itself."""
     checks: dict[type, Callable[[str, Any], Iterator[AuditRow]]] = {
-        Tally: tally_rows,
+        WinsAndLosses: tally_rows,
         Success: success_rows,
         Decision: decision_rows,
-        Ranking: ranking_rows,
+        RankedRows: ranking_rows,
     }
     return checks[type(fact)](paper, fact)

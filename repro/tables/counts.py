@@ -5,12 +5,12 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from repro.tables.blocks import Block, turned
-from repro.tables.facts import Success, Tally
+from repro.tables.facts import Success, WinsAndLosses
 from repro.tables.rows import AuditRow, Grade, audit_row
 from repro.tables.true_numbers import Span, exact, shown, span
 
 
-def tally_rows(paper: str, tally: Tally) -> Iterator[AuditRow]:
+def tally_rows(paper: str, tally: WinsAndLosses) -> Iterator[AuditRow]:
     """Yield a row where wins, ties and losses are no counts, or not those of all problems."""
     cells = tally.cells
     numbers = [exact(cell.printed.value) for cell in cells]

@@ -14,7 +14,7 @@ places between (dense), or one each in some order. "any" leaves it open."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Tally:
+class WinsAndLosses:
     """How often an algorithm wins, ties and loses on so many `problems`; None where not told.
 
     A column that is not printed is None.
@@ -62,11 +62,11 @@ class Decision:
     sides: Literal[1, 2] | None = None
     test: RankTest | None = None
     n: int | None = None
-    tally: Tally | None = None
+    tally: WinsAndLosses | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Ranking:
+class RankedRows:
     """Columns that are ranked row by row, with the sums or means of their ranks.
 
     `values` has a mapping from column to cell for every row that is ranked, and `ranks` one with
@@ -83,4 +83,4 @@ class Ranking:
     greatest_first: bool = False
 
 
-Fact = Tally | Success | Decision | Ranking
+Fact = WinsAndLosses | Success | Decision | RankedRows

@@ -39,7 +39,8 @@ def _row(paper: str, number: Number, relation: PValues, grade: Grade) -> AuditRo
         explanation=(
             f"printed is p = {number.printed.text} for a {SIDES[relation.sides]} "
             f"{relation.test} test of {size}; the exact test gives {formula} = "
-            f"{shown(_exact_floor(relation))} at least, the normal approximation {shown(_approximate_floor(relation))} at least (without "
+            f"{shown(_exact_floor(relation))} at least, the normal approximation "
+            f"{shown(_approximate_floor(relation))} at least (without "
             "continuity correction, ties as favourable as can be); no test gives more than 1"
         ),
     )

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 
-from repro.tables.facts import Ranking, Ties
+from repro.tables.facts import RankedRows, Ties
 from repro.tables.relations import Cell
 from repro.tables.rows import AuditRow, Grade, audit_row
 from repro.tables.true_numbers import Span, exact, shown, span
@@ -11,7 +11,7 @@ from repro.tables.true_numbers import Span, exact, shown, span
 KINDS: tuple[Ties, ...] = ("least", "greatest", "mean", "dense", "order")
 
 
-def ranking_rows(paper: str, ranking: Ranking) -> Iterator[AuditRow]:
+def ranking_rows(paper: str, ranking: RankedRows) -> Iterator[AuditRow]:
     """Yield a row per printed rank, sum, mean and place that no treatment of ties allows."""
     yield from _row_by_row(paper, ranking)
     for cells, runs in ((ranking.sums, 1), (ranking.means, _rows(ranking))):
@@ -54,18 +54,18 @@ def _distinct(spans: Sequence[Span]) -> int:
     return count
 
 
-def _rows(ranking: Ranking) -> int:
+def _rows(ranking: RankedRows) -> int:
     return len(ranking.ranks) or len(ranking.values)
 
 
-def _spans(row: Mapping[str, Cell], ranking: Ranking) -> dict[str, Span]:
+def _spans(row: Mapping[str, Cell], ranking: RankedRows) -> dict[str, Span]:
     spans = {name: span(cell.printed) for name, cell in row.items()}
     if not ranking.greatest_first:
         return spans
     return {name: Span(-each.high, -each.low) for name, each in spans.items()}
 
 
-def _row_by_row(paper: str, ranking: Ranking) -> Iterator[AuditRow]:
+def _row_by_row(paper: str, ranking: RankedRows) -> Iterator[AuditRow]:
     for values, ranks in zip(ranking.values, ranking.ranks, strict=False):
         spans = _spans(values, ranking)
         if not spans.keys() >= ranks.keys():
@@ -107,7 +107,7 @@ def number_behind(cell: Cell) -> Span:
 
 
 def _totals(
-    paper: str, ranking: Ranking, cells: Mapping[str, Cell], runs: int
+    paper: str, ranking: RankedRows, cells: Mapping[str, Cell], runs: int
 ) -> Iterator[AuditRow]:
     """Check sums of ranks (`runs` 1) or means of them, by printed ranks or else by the values."""
     for name, cell in cells.items():
@@ -133,7 +133,7 @@ def _totals(
         )
 
 
-def _sum(ranking: Ranking, name: str) -> Span | None:
+def _sum(ranking: RankedRows, name: str) -> Span | None:
     """Return what the ranks of a column can add up to; None where a row has none."""
     if ranking.ranks:
         found = [number_behind(row[name]) for row in ranking.ranks if name in row]

@@ -17,11 +17,11 @@ from repro.audit import AuditRow, Grade, audit
 from repro.audit.blocks import bounds_of
 from repro.functions import FUNCTIONS
 from repro.model.paper import Paper
-from repro.tables.arithmetic import CONDITIONS, IN_DOUBLES
+from repro.tables.arithmetic import IN_DOUBLES
 from tests.summaries import audited, condition_of, paper_of, proved, scientific
 
 Singles = NDArray[np.float32]
-TWO_PASS = CONDITIONS["two_pass"]
+WHOLE = "no digit of a whole number is rounded away"
 ZERO = "a bare 0 stands for what the arithmetic rounds to 0, not for a small number"
 UNKNOWN = object()  # a problem of which nothing is known
 F = np.float32
@@ -138,7 +138,7 @@ def test_equal_runs_may_have_the_spread_that_the_rounding_of_their_mean_gives() 
     block = {name: scientific(float(runs[0]), 10) for name in ("best", "worst")}
     assert spread > 1e-9
     assert condition_of(block | {"std": scientific(spread)}, n=30) == IN_DOUBLES
-    assert condition_of(block | {"std": scientific(1000 * spread)}, n=30) == TWO_PASS
+    assert condition_of(block | {"std": scientific(1000 * spread)}, n=30) == IN_DOUBLES
     assert proved(block | {"std": "1.000×10^-1"}, n=30) == {"std-bound"}
 
 
@@ -156,8 +156,8 @@ def test_a_bare_zero_among_powers_of_ten_may_stand_for_a_small_number() -> None:
 
 def test_the_last_digits_of_a_whole_number_may_be_rounded_away() -> None:
     block = {"best": "12340", "mean": "12350", "worst": "12350", "std": "4.123"}
-    assert condition_of(block, n=30) == "no digit of a whole number is rounded away"
-    assert proved(block | {"std": "41.23"}, n=30) == {"std-bound"}
+    assert condition_of(block, n=30) == f"{IN_DOUBLES}, and {WHOLE}"
+    assert proved(block | {"std": "412.3"}, n=30) == {"std-bound"}
     assert proved({"best": "100", "worst": "90"}, n=30) == {"order"}
 
 
