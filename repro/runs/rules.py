@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from numbers import Integral, Real
 from typing import Any, Self
 
 import numpy as np
@@ -89,6 +90,19 @@ def _checked_data(problem: Problem) -> Vector:
 def _bytes(problem: Problem, bounds: Vector, data: Vector) -> tuple[bytes, bytes]:
     room = problem.scratch if isinstance(problem, NeedsScratch) else 0
     return bounds.tobytes(), data[room:].tobytes()
+
+
+def in_numbers(result: Any) -> Result:  # noqa: ANN401 (whatever a search returned)
+    """Return a result as vectors and plain numbers of its own; TypeError for what has none."""
+    cost, evaluations = result.cost, result.evaluations
+    if not isinstance(cost, Real):
+        message = f"the search reports the cost {cost!r:.40}, which is not one number"
+        raise TypeError(message)
+    if not isinstance(evaluations, Integral):
+        message = f"the search reports {evaluations!r:.40} evaluations, which is no whole number"
+        raise TypeError(message)
+    x, history = (np.array(part, dtype=np.float64) for part in (result.x, result.history))
+    return Result(x=x, cost=float(cost), history=history, evaluations=int(evaluations))
 
 
 def fault(

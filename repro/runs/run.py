@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 from repro.determinism.plain_costs import releases_interpreter
 from repro.determinism.seeds import generator
 from repro.optimisers.search import HoldsInterpreter, hands_to_search
+from repro.runs.apart import GlobalDraws, fresh
 from repro.runs.plan import Task
-from repro.runs.rules import Given, fault
+from repro.runs.rules import Given, fault, in_numbers
 
 Vector = NDArray[np.float64]
 _SHOWN = 300  # characters of a message that a reason shows
@@ -43,13 +44,19 @@ def execute(task: Task) -> Record:
     """
     start = time.perf_counter()
     try:
-        given = Given.of(task.subject, task.stream)
+        plain = holds_interpreter(task)
+        given = Given.of(fresh(task.subject) if plain else task.subject, task.stream)
+        optimiser = fresh(task.optimiser) if plain else task.optimiser
         budget = _budget(task)
-        result = task.optimiser.minimise(
-            given, population=task.population, rng=generator(task.stream), **budget
+        shared = GlobalDraws() if plain else None  # compiled code cannot reach them
+        result = in_numbers(
+            optimiser.minimise(
+                given, population=task.population, rng=generator(task.stream), **budget
+            )
         )
         seconds = time.perf_counter() - start
-        reason = fault(
+        drawn = shared.fault() if shared else None
+        reason = drawn or fault(
             result,
             given,
             optimiser=task.optimiser,
@@ -63,7 +70,7 @@ def execute(task: Task) -> Record:
         return failed(task, reason, seconds)
     return Record(
         task=task,
-        cost=float(result.cost),
+        cost=result.cost,
         x=result.x,
         history=result.history,
         evaluations=result.evaluations,

@@ -1,0 +1,40 @@
+"""What keeps runs in plain Python apart: each starts from the same state and draws its own."""
+
+import copy
+import random
+from typing import TypeVar
+
+import numpy as np
+
+T = TypeVar("T")
+
+
+def fresh(part: T) -> T:
+    """Return a search or problem as it was declared, whatever an earlier run would do to it."""
+    try:
+        return copy.deepcopy(part)
+    except Exception:  # noqa: BLE001 (whatever refuses to be copied is used as it is)
+        return part
+
+
+class GlobalDraws:
+    """The generators that all of a program shares, as they were when this was made."""
+
+    def __init__(self) -> None:
+        """Note their states."""
+        self._before = _states()
+
+    def fault(self) -> str | None:
+        """Return which of them was drawn from since, in words; None where none was."""
+        drawn = [name for name, state in _states().items() if state != self._before[name]]
+        if not drawn:
+            return None
+        return f"the search, or the cost, drew from the generator of {drawn[0]}, not from `rng`"
+
+
+def _states() -> dict[str, object]:
+    kind, words, *rest = np.random.get_state()  # noqa: NPY002 (to see whether others use it)
+    return {
+        "random": random.getstate(),
+        "numpy.random": (kind, bytes(memoryview(words)), *rest),
+    }
