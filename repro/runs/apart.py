@@ -2,6 +2,7 @@
 
 import copy
 import random
+import threading
 from typing import TypeVar
 
 import numpy as np
@@ -18,15 +19,21 @@ def fresh(part: T) -> T:
 
 
 class GlobalDraws:
-    """The generators that all of a program shares, as they were when this was made."""
+    """The generators that all of a program shares, as they were when this was made.
+
+    They are watched in a main thread alone, as in a process of its own: beside a run in another
+    thread, whoever keeps a cluster together may draw.
+    """
 
     def __init__(self) -> None:
         """Note their states."""
-        self._before = _states()
+        watched = threading.current_thread() is threading.main_thread()
+        self._before = _states() if watched else {}
 
     def fault(self) -> str | None:
         """Return which of them was drawn from since, in words; None where none was."""
-        drawn = [name for name, state in _states().items() if state != self._before[name]]
+        now = _states() if self._before else {}
+        drawn = [name for name, state in now.items() if state != self._before[name]]
         if not drawn:
             return None
         return f"the search, or the cost, drew from the generator of {drawn[0]}, not from `rng`"
@@ -36,5 +43,5 @@ def _states() -> dict[str, object]:
     kind, words, *rest = np.random.get_state()  # noqa: NPY002 (to see whether others use it)
     return {
         "random": random.getstate(),
-        "numpy.random": (kind, bytes(memoryview(words)), *rest),
+        "numpy.random": (kind, np.asarray(words).tobytes(), *rest),
     }
