@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from types import MappingProxyType
 
-from repro.functions import FUNCTIONS, BenchmarkProblem
+from repro.functions import FUNCTIONS, BenchmarkProblem, Function
 from repro.model.claims import CellClaim
 from repro.model.measures.measure import Statistic
 from repro.model.paper import Paper
@@ -128,24 +128,31 @@ def _bounds(problem: object, quantity: str) -> FunctionBounds | None:
 def bounds_of(problem: BenchmarkProblem) -> FunctionBounds:
     """Return what no value of the function in so many dimensions is outside of."""
     function = problem.function
+    known = function.name if _is_ours(function) else ""
     least = exact(problem.minimum)
-    step = Fraction(CANCELLING.get(function.name, 0))
+    step = Fraction(CANCELLING.get(known, 0))
     return FunctionBounds(
         title=function.title,
         minimum=least,
         floor=least - max(abs(least) / 2**40, 4 * step),
         floor_in_singles=least - _cancelled(problem) * ROUNDINGS,
-        only_in_box=function.name not in LEAST_OF_ALL_SPACE,
+        only_in_box=known not in LEAST_OF_ALL_SPACE,
         ceiling=_ceiling(problem),
         step=step,
-        condition=CONDITIONS.get(function.name, ""),
+        condition=CONDITIONS.get(known, ""),
         fixed=(function(function.minimiser(problem.dimension)), problem.minimum),
     )
 
 
+def _is_ours(function: Function) -> bool:
+    """Say whether what is known here is known of this very function, and not of its namesake."""
+    ours = FUNCTIONS.get(function.name)
+    return ours is not None and ours.kernel is function.kernel
+
+
 def _cancelled(problem: BenchmarkProblem) -> Fraction:
     """Return the size of the terms that cancel at the minimum of the function."""
-    if problem.function.name in CANCELLED:
+    if problem.function.name in CANCELLED and _is_ours(problem.function):
         return Fraction(CANCELLED[problem.function.name])
     return abs(exact(problem.minimum)) * ELSE_CANCELLED
 
@@ -153,7 +160,7 @@ def _cancelled(problem: BenchmarkProblem) -> Fraction:
 def _ceiling(problem: BenchmarkProblem) -> Fraction | None:
     """Return the ceiling, where it is known on the box that the paper gives the function."""
     function = problem.function
-    if function.name not in CEILINGS:
+    if function.name not in CEILINGS or not _is_ours(function):
         return None
     known = CEILING_BOXES.get(function.name, FUNCTIONS[function.name].box)
     sides = zip(function.box, known, strict=True)

@@ -52,7 +52,8 @@ def pose_rows(paper: str, relation: PrintedPoses) -> Iterator[AuditRow]:
             f"{relation.joints.label} moves the tool by {_mm(_joint_allowance(relation))} mm at "
             f"most. {_closing(relation, nearest)}"
         ),
-        condition=f"{relation.dh.label} is exact, and no joint angle has an offset",
+        condition=f"{relation.dh.label} is exact, and no joint angle has "
+        f"{'another' if relation.offsets else 'an'} offset",
     )
 
 
@@ -64,8 +65,9 @@ def _dh(relation: PrintedPoses) -> Array:
 def _errors(relation: PrintedPoses, dh: Array, convention: Convention) -> Array:
     """Return computed less printed positions, shape (waypoints, 3), in m."""
     positions = np.array([relation.positions.column(axis) for axis in "xyz"]).T
+    offsets = np.array([offset.si for offset in relation.offsets] or 0.0)
     reached = [
-        forward_kinematics(dh, relation.joints.column(waypoint), convention)[:3, 3]
+        forward_kinematics(dh, relation.joints.column(waypoint) + offsets, convention)[:3, 3]
         for waypoint in relation.positions.row_names
     ]
     return np.asarray(np.array(reached) - positions)

@@ -30,7 +30,7 @@ def rank_rows(paper: str, relation: AverageRank) -> Iterator[AuditRow]:
             paper,
             cells,
             check="average-rank",
-            grade=Grade.INCONSISTENT,
+            grade=Grade.INCONSISTENT if certain else Grade.NOTED,
             explanation=(
                 f"ranked by the {len(relation.rows)} rows of {relation.table.label} (1 for the "
                 f"lowest), the mean ranks are {given}; the other "

@@ -225,6 +225,7 @@ class PrintedPoses:
 
     `dh` has a row per joint and the columns named in `a`, `alpha`, `d`; `joints` has the same
     rows and a column per waypoint; `positions` has a row per waypoint and columns x, y, z.
+    `offsets` are added to the joint angles, one each, as a theta column "θ₂ − 90°" prints them.
     """
 
     dh: PublishedTable
@@ -233,6 +234,7 @@ class PrintedPoses:
     d: str
     joints: PublishedTable
     positions: PublishedTable
+    offsets: tuple[Printed, ...] = ()
 
     def __post_init__(self) -> None:
         """Raise DeclarationError where the three tables do not fit each other."""
@@ -240,6 +242,9 @@ class PrintedPoses:
             self.dh.column(name)
         tables = (self.dh.row_names, self.joints.row_names)
         waypoints = (self.joints.column_names, self.positions.row_names)
+        if self.offsets and len(self.offsets) != len(self.dh.row_names):
+            message = f"{self.dh.label}: {len(self.offsets)} offsets, {len(self.dh.row_names)} rows"
+            raise DeclarationError(message)
         if len({len(rows) for rows in tables}) > 1 or len({*waypoints}) > 1:
             message = (
                 f"{self.dh.label}, {self.joints.label}, {self.positions.label} do not fit: "

@@ -224,3 +224,10 @@ def test_conditional_rows_of_the_papers_are_these() -> None:
     assert [row.condition for row in audit(SYJI) if row.grade is Grade.IMPOSSIBLE] == [
         "every joint is at rest at start and end, and keeps the printed limits"
     ]
+
+
+def test_a_namesake_of_a_known_function_has_none_of_its_bounds() -> None:
+    namesake = replace(FUNCTIONS["sphere"], kernel=FUNCTIONS["rosenbrock"].kernel)
+    rows = rows_on(namesake.problem(30), {"best": "1.0e+09"}, n=30)
+    assert rows == ()
+    assert proved({"best": "1.0e+09"}, n=30) == {"above-ceiling"}

@@ -8,6 +8,7 @@ from repro.model.measures.measure import Rank, Statistic
 from repro.model.tolerances import Absolute
 from repro.tables.published import Printed
 from repro.tables.relations import AverageRank
+from repro.tables.rows import Grade
 from tests.summaries import paper_of
 from tests.tables.test_relations import rows_of, table_of
 
@@ -23,6 +24,7 @@ def test_ranks_that_more_digits_could_turn_hold_for_the_numbers_as_printed(
     relation = AverageRank(table=table, rows=("F1",), columns=("A", "B"), average="average")
     (row,) = rows_of(relation)
     assert (row.check, row.condition) == ("average-rank", condition)
+    assert (row.grade is Grade.NOTED) is (condition is not None)
 
 
 @pytest.mark.parametrize(("zero", "is_open"), [("0", True), ("0.00×10^0", False)])

@@ -1,4 +1,5 @@
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -266,3 +267,22 @@ def test_a_relation_on_a_cell_that_is_not_there_is_refused() -> None:
         AverageRank(table=TIMES, rows=("slow",), columns=("first",), average="mean")
     with pytest.raises(DeclarationError, match="series of 1 and 0"):
         SameNumbers(first=(text("1"),), second=(), meaning="nothing")
+
+
+def test_an_offset_of_a_joint_that_the_table_prints_is_told() -> None:
+    plain = _poses(0.3, "standard")
+    offset = Printed("-1.2", "rad")
+    rows = [
+        f"{joint} || "
+        + " | ".join(
+            fixed(plain.joints[joint, name].value + (1.2 if joint == "2" else 0.0), 4)
+            for name in plain.joints.column_names
+        )
+        for joint in plain.joints.row_names
+    ]
+    moved = replace(plain, joints=table_of("i || P [rad] | Q [rad]", "\n".join(rows)))
+    zero = Printed("0", "rad")
+
+    assert rows_of(plain) == ()
+    assert [row.check for row in rows_of(moved)] == ["poses"]
+    assert rows_of(replace(moved, offsets=(zero, offset, zero))) == ()
