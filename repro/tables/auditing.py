@@ -14,9 +14,9 @@ from repro.tables.guesses import guess_lines, guessed_runs, is_maximised
 from repro.tables.possible_runs import TRIED, least_runs, rows_at_any_number
 from repro.tables.repeats import repeat_rows
 from repro.tables.rows import AuditRow
-from repro.tables.spreads import as_std
 from repro.tables.texts import Form, tables_in
 
+_SPREADS = {"std": "std", "variance": "variance", "sem": "standard error"}
 _TITLE = 60
 _SHOWN = 6  # blocks that a line names
 
@@ -116,17 +116,12 @@ def _parts(entries: Sequence[Entry]) -> list[dict[str, Entry]]:
 def _block(
     part: Mapping[str, Entry], runs: int | None, options: AuditOptions, *, maximised: bool
 ) -> Block | None:
-    """Return the block of some numbers, the lowest of them named its best."""
+    """Return the block of some numbers, by the names that checks know."""
+    spread = _SPREADS[options.spread or "std"]
     low, high = ("worst", "best") if maximised else ("best", "worst")
+    own_names = {"lowest": low, "highest": high, "std": spread, "sem": "standard error"}
     numbers = {name: entry.number for name, entry in part.items()}
-    own_names = {low: "best", "lowest": "best", high: "worst", "highest": "worst"}
-    cells = {own_names[name]: number for name, number in numbers.items() if name in own_names}
-    cells |= {name: numbers[name] for name in ("mean", "median") if name in numbers}
-    for kind in ("std", "variance", "sem"):
-        if kind in numbers and "std" not in cells:
-            own = options.spread or "std" if kind == "std" else kind
-            std = as_std(numbers[kind], own, runs)
-            cells |= {"std": std} if std else {}
+    cells = {own_names.get(name, name): number for name, number in numbers.items()}
     if not cells:
         return None
     entry = next(iter(part.values()))
@@ -137,6 +132,8 @@ def _block(
         n=runs or TRIED[0],
         cells=cells,
         scientific=any(number.printed.power is not None for number in numbers.values()),
+        maximise=maximised,
+        whole_numbers=options.integers and not entry.quantity,
         function=None if entry.quantity else _bounds(entry.problem, options, maximised=maximised),
     )
 

@@ -2,7 +2,7 @@
 
 import itertools
 import math
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Iterator, Sequence
 
 from repro.tables.blocks import Block
@@ -40,7 +40,8 @@ def repeat_rows(paper: str, blocks: Sequence[Block]) -> Iterator[AuditRow]:
 
 def _pairs(entries: Sequence[Entry]) -> int:
     """Return how many pairs of different blocks the entries form."""
-    return sum(one is not other for (one, _), (other, _) in itertools.combinations(entries, 2))
+    same = Counter(id(block) for block, _ in entries).values()
+    return math.comb(len(entries), 2) - sum(math.comb(times, 2) for times in same)
 
 
 def digits(printed: Printed) -> str:
