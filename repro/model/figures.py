@@ -36,14 +36,22 @@ class Motion:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ToolPath:
-    """Path of the last frame in space, with the waypoints."""
+    """Path of the last frame in space, with the waypoints.
+
+    Of a `ShowsMotion` the path of one point is drawn, which `durations` must give.
+    """
 
     label: str
     caption: str
-    problem: MinimumTime
+    problem: Moving
     dh: tuple[DHRow, ...]
     convention: Convention
     printed_waypoints: tuple[tuple[float, ...], ...]
+    durations: tuple[float, ...] | None = None
+
+    def __post_init__(self) -> None:
+        """Raise DeclarationError where no point of a problem of one's own is given."""
+        _check_point(self.label, self.problem, self.durations)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -95,9 +103,7 @@ class ArmMotion:
 
     def __post_init__(self) -> None:
         """Raise DeclarationError where no motion is said of a problem that has no proved one."""
-        if isinstance(self.problem, ShowsMotion) and self.durations is None:
-            message = f"motion {self.name!r}: a problem of one's own needs a point in `durations`"
-            raise DeclarationError(message)
+        _check_point(f"motion {self.name!r}", self.problem, self.durations)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -113,6 +119,12 @@ class Arm:
     convention: Convention
     motions: tuple[ArmMotion, ...]
     assumed: tuple[str, ...] = ()
+
+
+def _check_point(place: str, problem: object, durations: tuple[float, ...] | None) -> None:
+    if isinstance(problem, ShowsMotion) and durations is None:
+        message = f"{place}: a problem of one's own needs a point in `durations`"
+        raise DeclarationError(message)
 
 
 Figure = Arm | Convergence | JointCurves | Motion | SplineMotion | ToolPath

@@ -46,6 +46,14 @@ def moved(
     return problem.motion(point, derivative=derivative, samples=samples)
 
 
+def stops(problem: Moving, point: Vector) -> Vector:
+    """Return the angles at both ends and between segments, shape (segments + 1, joints), in rad."""
+    if isinstance(problem, MinimumTime):
+        return np.array(problem.waypoints)
+    _, angles = problem.motion(point, derivative=0, samples=2)
+    return np.vstack([angles[::2], angles[-1:]])
+
+
 def highest(problem: Moving, point: Vector, derivative: int) -> float:
     """Return the largest value that any joint reaches: by formula, or as finely sampled."""
     if isinstance(problem, MinimumTime):

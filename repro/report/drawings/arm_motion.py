@@ -10,7 +10,7 @@ from repro.model.figures import Arm, ArmMotion
 from repro.robotics import MinimumTime, MinimumTimeSpline, PathFitting
 from repro.robotics.proofs.spline_minimum import prove
 from repro.robotics.rest_to_rest import motion
-from repro.robotics.shown_motion import ShowsMotion
+from repro.robotics.shown_motion import ShowsMotion, stops
 from repro.robotics.skeleton import Skeleton, skeleton
 from repro.robotics.spline_motion import motion as spline_motion
 
@@ -56,9 +56,7 @@ def waypoints(arm: Arm) -> tuple[Skeleton, ...]:
     elif isinstance(problem, MinimumTimeSpline):
         angles = problem.nodes
     elif isinstance(problem, ShowsMotion):
-        durations, _, shown = _of_point(problem, arm.motions[0])
-        starts = shown[:: len(shown) // len(durations)]
-        angles = (*map(tuple, starts), tuple(shown[-1]))
+        angles = tuple(map(tuple, stops(problem, np.array(arm.motions[0].durations))))
     else:
         angles = tuple(zip(*((fit.start, fit.end) for fit in problem), strict=True))
     return tuple(skeleton(arm.dh, q, arm.convention) for q in angles)

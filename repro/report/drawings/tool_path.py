@@ -26,8 +26,8 @@ from repro.report.drawings.style import (
     plain,
 )
 from repro.report.drawings.svg import POINTS_PER_INCH
-from repro.robotics import forward_kinematics
-from repro.robotics.rest_to_rest import motion
+from repro.robotics import MinimumTime, forward_kinematics
+from repro.robotics.shown_motion import moved, stops
 
 Vector = NDArray[np.float64]
 Place = tuple[float, float]
@@ -88,8 +88,12 @@ def tool_path_plot(figure: ToolPath) -> Plot:
 
 def _path(figure: ToolPath) -> Path:
     problem = figure.problem
-    # every joint runs through the same share of its way, so the path is the same at any speed
-    _, angles = motion(problem, np.ones(problem.segments), derivative=0, samples=CURVE_POINTS)
+    if isinstance(problem, MinimumTime):
+        # every joint runs through the same share of its way: the path is the same at any speed
+        point = np.ones(problem.segments)
+    else:
+        point = np.array(figure.durations)
+    _, angles = moved(problem, point, derivative=0, samples=CURVE_POINTS)
 
     def positions(points: object) -> Vector:
         poses = [forward_kinematics(figure.dh, q, figure.convention) for q in np.asarray(points)]
@@ -97,7 +101,7 @@ def _path(figure: ToolPath) -> Path:
 
     return Path(
         along=positions(angles),
-        computed=positions(problem.waypoints),
+        computed=positions(stops(problem, point)),
         printed=np.array(figure.printed_waypoints, dtype=np.float64).reshape(-1, 3),
     )
 

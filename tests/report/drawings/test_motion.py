@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from repro.errors import DeclarationError
 from repro.model.evidence import Evidence, Runs
-from repro.model.figures import ArmMotion, Motion
+from repro.model.figures import ArmMotion, Motion, ToolPath
 from repro.report.drawings.arm_motion import moving, waypoints
 from repro.report.drawings.draw import Drawing, draw
 from repro.robotics.shown_motion import ShowsMotion, highest
@@ -115,6 +115,19 @@ def test_arm_moves_along_a_motion_of_ones_own() -> None:
     assert shown.durations == (2.0, 2.0)
     assert shown.total == 4.0
     assert len(waypoints(arm)) == 3
+
+
+def test_tool_path_of_ones_own_motion_passes_its_stops() -> None:
+    figure = ToolPath(
+        label="Figure 2", caption="a path", problem=WAVE, dh=ARM.dh, convention=ARM.convention,
+        printed_waypoints=(), durations=(2.0, 0.5),
+    )  # fmt: skip
+
+    rows = draw(figure, evidence(), "path").rows
+
+    assert len([row for row in rows if row[0] == "computed waypoint"]) == 3
+    with pytest.raises(DeclarationError, match="Figure 2: a problem of one's own needs a point"):
+        replace(figure, durations=None)
 
 
 def test_arm_needs_to_be_told_which_motion_of_ones_own_it_makes() -> None:
