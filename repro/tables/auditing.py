@@ -1,10 +1,11 @@
 """The audit of tables that are read from anywhere: what is read, guessed and found."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from fractions import Fraction
 from typing import Any
 
+from repro.tables.arithmetic import IN_DOUBLES, joined
 from repro.tables.audit_options import AuditOptions, Guess
 from repro.tables.blocks import Block, FunctionBounds
 from repro.tables.checks import block_rows
@@ -101,7 +102,7 @@ def _audited(
         runs=runs,
         skipped=table.skipped,
         guesses=(*told, *open_n, *guess_lines(table, options, maximised=maximised)),
-        rows=tuple(_rows(file, blocks, runs)),
+        rows=tuple(_in_precision(_rows(file, blocks, runs), options.precision)),
         places={(e.number.row, e.number.column): (e.i, e.j) for e in table.entries},
     )
 
@@ -175,6 +176,17 @@ def _rows(file: str, blocks: Sequence[Block], runs: int | None) -> Iterator[Audi
         else:
             yield from rows_at_any_number(block, lambda b: list(block_rows(file, b)))
     yield from repeat_rows(file, blocks)
+
+
+def _in_precision(rows: Iterator[AuditRow], precision: str | None) -> Iterator[AuditRow]:
+    """Yield the rows that hold in the precision that is told, without what it settles."""
+    for row in rows:
+        conditions = (row.condition or "").split(", and ")
+        if precision is None or IN_DOUBLES not in conditions:
+            yield row
+        elif precision == "double":
+            rest = [condition for condition in conditions if condition != IN_DOUBLES]
+            yield replace(row, condition=joined(rest))
 
 
 def _possible(blocks: Sequence[Block]) -> Iterator[Guess]:
