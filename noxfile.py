@@ -74,6 +74,13 @@ def calibrate(session: nox.Session) -> None:
     session.run("python", "-m", "tests.calibrate", env=ONE_THREAD)
 
 
+@nox.session(name="false-alarms")
+def false_alarms(session: nox.Session) -> None:
+    """Audit 100,000 true tables and planted errors, ten minutes: writes docs/false_alarms.md."""
+    _install(session, "run")
+    session.run("python", "-m", "tests.false_alarms", *session.posargs, env=ONE_THREAD)
+
+
 @nox.session(name="another-seed")
 def another_seed(session: nox.Session) -> None:
     """Run every protocol under another master seed, and say on the index what it changes."""
