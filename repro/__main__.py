@@ -15,12 +15,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
         # of all commands this one alone is loaded
         code: int = importlib.import_module(f"repro.commands.{options.command}").run(options)
     except ReproError as error:
-        sys.stderr.write(f"repro: {error}\n")
+        sys.stderr.writelines(f"repro: {line}\n" for line in str(error).splitlines() or [""])
         return error.exit_code
     except KeyboardInterrupt as interrupt:
         sys.stderr.write("\nrepro: interrupted; finished runs are kept, the same call goes on\n")
         return TERMINATED if isinstance(interrupt, Terminated) else INTERRUPTED
-    return code
+    faulty = getattr(options, "faulty", False)  # a paper that was asked for, beside others
+    return code or (ReproError.exit_code if faulty else 0)
 
 
 if __name__ == "__main__":

@@ -34,7 +34,7 @@ RNG = np.random.default_rng(1)
 COMMANDS: dict[str, tuple[tuple[str, ...], int, str]] = {
     "unknown paper": (("list", "nobody"), 2, "unknown paper 'nobody'; known: small2020"),
     "hostile key": (("audit", "\x1b[2J"), 2, r"unknown paper '\x1b[2J'; known"),
-    "path as key": (("certify", "../papers"), 2, "unknown paper '../papers'"),
+    "no such path": (("certify", "../papers"), 2, "../papers: there is no such file or folder"),
     "no repeats": (("reproduce", "--repeats", "0"), 2, "repeats is 0; it must be 1 or more"),
     "negative repeats": (("list", "--repeats", "-7"), 2, "repeats is -7"),
     "no workers": (("reproduce", "--workers", "0"), 2, "workers is 0; it must be 1 or more"),
@@ -104,7 +104,10 @@ DECLARATIONS: dict[str, tuple[Callable[[], object], str]] = {
     "endless digits": (lambda: Printed("1e" + "9" * 9999), "is not a number"),
     "over nothing": (lambda: Printed("π/0"), "'π/0' is not a number"),
     "two points": (lambda: Printed("1.2.3"), "'1.2.3' is not a number"),
-    "unknown unit": (lambda: Printed("1", "furlong"), "unknown unit 'furlong'; known: %, rank, s"),
+    "unknown unit": (
+        lambda: Printed("1", "furlong"),
+        "unknown unit 'furlong'; known: %, rank, count, s",
+    ),
     "no table": (lambda: PublishedTable.read("Table 1"), "is no table: it needs its place"),
     "no bar": (lambda: PublishedTable.read(f"{HEAD}a | b\n1 2"), "no '|' in the line '1 2'"),
     "too many cells": (

@@ -2,11 +2,15 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Any, ClassVar, Unpack
 
 import numpy as np
+import pytest
 from numpy.typing import NDArray
 
+from repro.commands.catalogue import folders
+from repro.commands.paper_modules import Declared
 from repro.determinism.compiled import jit
 from repro.model.claims import every_cell
 from repro.model.evidence import Cell, Evidence, Runs
@@ -90,6 +94,13 @@ class Failing:
             message = "lost the way"
             raise ValueError(message)
         return Result(x=np.zeros(2), cost=self.cost, history=np.zeros(1), evaluations=1)
+
+
+def let_be_known(monkeypatch: pytest.MonkeyPatch, *papers: Paper) -> None:
+    """Let the command line know these papers alone, as if they were this house's."""
+    folder = Path(folders()[0]).resolve()
+    known = [Declared(paper=each, place=folder / f"{each.key}.py") for each in papers]
+    monkeypatch.setattr("repro.commands.catalogue.known", lambda: known)
 
 
 TABLE = PublishedTable.read("""

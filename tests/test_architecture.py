@@ -142,7 +142,7 @@ def test_command_line_alone_imports_by_name_and_commands_alone() -> None:
 
     assert sorted(by_name) == [
         (Path("repro/__main__.py"), "f'repro.commands.{options.command}'"),
-        (CATALOGUE, "f'papers.{info.name}'"),
+        (Path("repro/commands/paper_modules.py"), "name"),  # the user's paper
         (Path("repro/functions/__init__.py"), "f'{__name__}.{info.name}'"),  # files of its folder
         (Path("repro/optimisers/users_search.py"), "module"),  # the user's
         (Path("repro/runs/workers/pickling.py"), "module"),  # whatever a task was made of

@@ -57,7 +57,7 @@ class Again:
 
 def run(options: Namespace) -> int:
     """Print what the first repeat gives for the number here and now."""
-    (paper,) = catalogue.chosen([options.key])
+    paper = catalogue.chosen_one(options)
     workers = checked_workers(options.workers)
     with local(workers) as executor:
         found = run_again(

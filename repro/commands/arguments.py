@@ -12,6 +12,8 @@ _AGAIN = (
     "Run what one printed number needs, once, and say what comes out: the number that its page "
     "shows below the printed one. Nothing is stored."
 )
+_PAPER = "a key, a file or folder that declares papers, or the key of an installed package"
+_PAPERS = f"{_PAPER} (default: all)"
 _TEXTS = {
     "reproduce": "run what is missing, then write pages",
     "report": "write pages from the store, run nothing",
@@ -62,12 +64,20 @@ def _add_names(parsers: Mapping[str, argparse.ArgumentParser]) -> None:
         "search", metavar="MODULE:OBJECT", help="an optimiser, or a callable"
     )
     for name in ("reproduce", "report", "list", "compare", "audit", "certify", "references"):
-        parsers[name].add_argument("keys", nargs="*", metavar="KEY", help="papers (default: all)")
+        parsers[name].add_argument("keys", nargs="*", metavar="PAPER", help=_PAPERS)
     parsers["compare"].add_argument("--name", help="what the pages call it (default: OBJECT)")
     again, verify, flips = parsers["again"], parsers["verify"], parsers["flips"]
-    again.add_argument("key", metavar="KEY", help="the paper")
+    again.add_argument("keys", nargs=1, metavar="PAPER", help=_PAPER)
     again.add_argument("name", metavar="NAME", help="the number, as its page and its CSV call it")
     verify.add_argument("folder", nargs="?", type=Path, metavar="STORE", help=f"default: {STORE}")
+    verify.add_argument(
+        "--paper",
+        action="append",
+        default=[],
+        dest="keys",
+        metavar="PAPER",
+        help=_PAPERS,
+    )
     verify.add_argument("--sample", type=int, default=20, metavar="N", help="runs (default: 20)")
     verify.add_argument("--seed", default="1", metavar="TEXT", help="what names the sample")
     flips.add_argument("first", type=Path, metavar="FIRST", help="a results.json")

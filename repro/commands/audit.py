@@ -9,7 +9,7 @@ from repro.commands.shown_rows import show
 
 def run(options: Namespace) -> int:
     """Print one line, or one JSON object, per audit row."""
-    rows = [row for paper in catalogue.chosen(options.keys) for row in audit(paper)]
+    rows = [row for paper in catalogue.chosen(options) for row in audit(paper)]
     lines = [
         f"{row.grade}: {row.paper}, {row.table}, {row.row or 'several cells'}"
         f"{f', {row.column}' if row.column else ''}: {row.explanation}"

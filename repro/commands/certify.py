@@ -9,7 +9,7 @@ from repro.judge.certificates import certify
 
 def run(options: Namespace) -> int:
     """Print one line, or one JSON object, per certificate."""
-    rows = [row for paper in catalogue.chosen(options.keys) for row in certify(paper)]
+    rows = [row for paper in catalogue.chosen(options) for row in certify(paper)]
     lines = [
         f"{row.paper}, {row.problem}: "
         + ("no minimum" if row.minimum is None else f"minimum {row.minimum:.6g} s")

@@ -41,7 +41,7 @@ def run(options: Namespace) -> int:
     """Run the search, write its report, and say where that is."""
     compared = compare(
         options.search,
-        catalogue.chosen(options.keys),
+        catalogue.chosen(options),
         name=options.name,
         repeats=options.repeats,
         store=options.store,

@@ -5,12 +5,11 @@ anew on purpose, with a line in the change log that says which verdict changed a
 """
 
 import csv
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from itertools import zip_longest
 from pathlib import Path
 from typing import Any
 
-from repro.commands import catalogue
 from repro.errors import InputError
 from repro.judge.verdict import Verdict
 from repro.report.results import impossible_rows, verdict_counts
@@ -49,10 +48,10 @@ def expected_rows(path: Path) -> list[Row] | None:
     return rows
 
 
-def summary(results: Mapping[str, Any], keys: Sequence[str], master_seed: str = "") -> str:
-    """Return the table of verdicts of some papers, and a line on what differs from the lists."""
-    entries = [entry for entry in results["papers"] if entry["key"] in keys]
-    return "\n".join((*_table(entries), _compared(entries, master_seed))) + "\n"
+def summary(results: Mapping[str, Any], lists: Mapping[str, Path], master_seed: str = "") -> str:
+    """Return the table of verdicts of some papers, and a line on what differs from their lists."""
+    entries = [entry for entry in results["papers"] if entry["key"] in lists]
+    return "\n".join((*_table(entries), _compared(entries, lists, master_seed))) + "\n"
 
 
 def _table(entries: Iterable[Mapping[str, Any]]) -> list[str]:
@@ -76,11 +75,13 @@ def _table(entries: Iterable[Mapping[str, Any]]) -> list[str]:
     ]
 
 
-def _compared(entries: Iterable[Mapping[str, Any]], master_seed: str) -> str:
+def _compared(
+    entries: Iterable[Mapping[str, Any]], lists: Mapping[str, Path], master_seed: str
+) -> str:
     total, other_values, differing, notes = 0, 0, [], []
     for entry in entries:
         key, found = entry["key"], verdict_rows(entry)
-        expected = expected_rows(catalogue.expected_file(key))
+        expected = expected_rows(lists[key])
         if expected is None:
             notes.append(f"{key} has no list of expected verdicts")
             continue

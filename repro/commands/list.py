@@ -19,7 +19,7 @@ Row = dict[str, Any]
 
 def run(options: Namespace) -> int:
     """Print the papers; the store is read and not changed."""
-    rows = listing(catalogue.chosen(options.keys), options.repeats, options.store)
+    rows = listing(catalogue.chosen(options), options.repeats, options.store)
     sys.stdout.write(json.dumps(rows, indent=2) + "\n" if options.json else listing_text(rows))
     return 0
 

@@ -9,7 +9,7 @@ from repro.judge.outside_planners import outside_references
 
 def run(options: Namespace) -> int:
     """Print one line, or one JSON object, per planner and problem."""
-    rows = outside_references(catalogue.chosen(options.keys))
+    rows = outside_references(catalogue.chosen(options))
     lines = [
         f"{row.paper}, {row.problem}, {row.planner}: "
         + (f"skipped, {row.skipped}" if row.time is None else f"{row.time:.6g} s, {row.what}")

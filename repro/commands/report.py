@@ -12,12 +12,12 @@ from repro.runs.store.store import Store
 
 def run(options: Namespace) -> int:
     """Write the pages; InputError where there is no store."""
-    chosen = catalogue.chosen(options.keys)
+    chosen = catalogue.chosen(options)
     tasks = plan(chosen, options.repeats, options.master_seed, protocol_only=options.protocol_only)
     with Store(options.store, writing=False) as store:
         if not store.path.exists():
             message = f"there is no store in {options.store}; `repro reproduce` makes one"
             raise InputError(message)
-        write_pages(store, chosen, tasks, options.reports, list(catalogue.all_papers()))
+        write_pages(store, chosen, tasks, options.reports, catalogue.order(chosen))
     sys.stdout.write(f"pages: {options.reports / 'index.html'}\n")
     return 0

@@ -26,8 +26,8 @@ from repro.runs.workers.local import checked_workers, local
 
 def run(options: Namespace) -> int:
     """Run, judge, write; the last line says what differs from the expected verdicts."""
-    chosen = catalogue.chosen(options.keys)
-    keys, known = [paper.key for paper in chosen], list(catalogue.all_papers())
+    chosen = catalogue.chosen(options)
+    keys, known = [paper.key for paper in chosen], catalogue.order(chosen)
     tasks = plan(chosen, options.repeats, options.master_seed, protocol_only=options.protocol_only)
     checked_workers(options.workers)
     usable_folder(options.reports)
@@ -37,7 +37,7 @@ def run(options: Namespace) -> int:
     )  # fmt: skip
 
     def work() -> tuple[list[Record], Json | None]:
-        if written.stand(store):
+        if catalogue.of_this_house(options.places.values()) and written.stand(store):
             return [], read_results(options.reports / "results.json")
         failed = _run(store, tasks, options)
 
@@ -53,7 +53,8 @@ def run(options: Namespace) -> int:
     for record in failed:
         warn(f"run {record.task.name} failed: {record.reason}")
     sys.stdout.write(f"pages: {options.reports / 'index.html'}\n")
-    sys.stdout.write(summary(results or {"papers": []}, keys, options.master_seed))
+    lists = {key: catalogue.expected_file(key, place) for key, place in options.places.items()}
+    sys.stdout.write(summary(results or {"papers": []}, lists, options.master_seed))
     return SOME_RUN_FAILED if failed else 0
 
 

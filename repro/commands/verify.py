@@ -19,7 +19,7 @@ def run(options: Namespace) -> int:
         repeats = max(store.repeats(), options.repeats)
     found = verify(
         folder,
-        plan(catalogue.all_papers().values(), repeats, options.master_seed),
+        plan(catalogue.chosen(options), repeats, options.master_seed),
         sample=options.sample,
         seed=options.seed,
         here=provenance(),

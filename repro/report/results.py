@@ -84,7 +84,7 @@ def merged(fresh: Iterable[Json], old: Json | None, order: Iterable[str]) -> Jso
     """Return the whole of results.json: fresh entries, and old ones of papers not redone."""
     entries = {entry["key"]: entry for entry in (old or {}).get("papers", [])}
     entries |= {entry["key"]: entry for entry in fresh}
-    papers = [entries[key] for key in order if key in entries]
+    papers = [entries[key] for key in dict.fromkeys((*order, *entries)) if key in entries]
     return {
         "schema": SCHEMA,
         "provenance": {
@@ -121,7 +121,8 @@ def provenance_entry(judgement: Judgement, environments: Environments) -> Json:
 def merged_provenance(fresh: Mapping[str, Json], old: Json | None, order: Iterable[str]) -> Json:
     """Return the whole of provenance.json: fresh entries, and old ones of papers not redone."""
     entries = {**(old or {}).get("papers", {}), **fresh}
-    return {"papers": {key: entries[key] for key in order if key in entries}}
+    kept = dict.fromkeys((*order, *entries))
+    return {"papers": {key: entries[key] for key in kept if key in entries}}
 
 
 def read_results(path: Path) -> Json | None:

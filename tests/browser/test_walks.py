@@ -8,6 +8,7 @@ import pytest
 from repro.__main__ import main
 from tests.browser.conftest import Open
 from tests.doe2021 import PAPER
+from tests.small_papers import let_be_known
 
 IMPOSSIBLE = "table-3-pso-mean"
 
@@ -70,7 +71,7 @@ def test_what_i_must_type_to_see_this_number_again(
     shown = cell.locator(".again").inner_text()
 
     nox, _, session, _, *arguments = shlex.split(typed)
-    monkeypatch.setattr("repro.commands.catalogue.all_papers", lambda: {"doe2021": PAPER})
+    let_be_known(monkeypatch, PAPER)
     code = main([session, *arguments])
 
     assert (nox, session, code) == ("nox", "again", 0)

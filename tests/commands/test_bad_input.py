@@ -17,7 +17,7 @@ from tests.bad_inputs import (
     bytes_in,
     rewritten,
 )
-from tests.small_papers import PAPER
+from tests.small_papers import PAPER, let_be_known
 from tests.small_stores import read
 
 pytestmark = pytest.mark.faults
@@ -26,7 +26,7 @@ pytestmark = pytest.mark.faults
 @pytest.fixture
 def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """Go to a folder with a file and stores of several kinds; only the small paper is known."""
-    monkeypatch.setattr("repro.commands.catalogue.all_papers", lambda: {PAPER.key: PAPER})
+    let_be_known(monkeypatch, PAPER)
     monkeypatch.chdir(tmp_path)
     Path("file").write_text("in the way")
     bytes_in("runs.sqlite", b"a poem " * 999)(Path("foreign"))

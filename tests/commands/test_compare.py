@@ -6,7 +6,7 @@ import pytest
 
 from repro.__main__ import main
 from repro.determinism import source_digests as sources
-from tests.small_papers import PAPER
+from tests.small_papers import PAPER, let_be_known
 
 MODULE = """
 def centre(cost, bounds, budget, rng): return bounds.mean(axis=1)
@@ -33,7 +33,7 @@ def run(
     """Yield what runs a command in a folder with a module of searches."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(sys, "path", [*sys.path])
-    monkeypatch.setattr("repro.commands.catalogue.all_papers", lambda: {PAPER.key: PAPER})
+    let_be_known(monkeypatch, PAPER)
     (tmp_path / "mine.py").write_text(MODULE)
     forget_sources()
 

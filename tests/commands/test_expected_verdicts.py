@@ -25,18 +25,17 @@ def results(*findings: dict[str, Any], repeats: int = 10) -> dict[str, Any]:
 
 
 @pytest.fixture
-def listed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def listed(tmp_path: Path) -> Path:
     """Return the list of an invented paper, which expects a number and a sentence."""
     path = tmp_path / "doe2021.verdicts.csv"
     (entry,) = results(FINDING, SENTENCE)["papers"]
     with path.open("w", encoding="utf-8", newline="") as file:
         csv.writer(file).writerows([COLUMNS, *verdict_rows(entry)])
-    monkeypatch.setattr("repro.commands.catalogue.expected_file", lambda _: path)
     return path
 
 
-def last_line(found: dict[str, Any], master_seed: str = "") -> str:
-    return summary(found, ["doe2021"], master_seed).splitlines()[-1]
+def last_line(found: dict[str, Any], listed: Path, master_seed: str = "") -> str:
+    return summary(found, {"doe2021": listed}, master_seed).splitlines()[-1]
 
 
 def test_list_is_read_as_it_was_written(listed: Path) -> None:
@@ -46,44 +45,47 @@ def test_list_is_read_as_it_was_written(listed: Path) -> None:
     assert verdict_rows(entry)[0][7] == "0.30000000000000004"
 
 
-@pytest.mark.usefixtures("listed")
-def test_results_that_are_as_expected_are_said_to_be_so() -> None:
-    assert last_line(results(FINDING, SENTENCE)) == "2 of 2 as expected"
+def test_results_that_are_as_expected_are_said_to_be_so(listed: Path) -> None:
+    assert last_line(results(FINDING, SENTENCE), listed) == "2 of 2 as expected"
 
 
-@pytest.mark.usefixtures("listed")
-def test_what_differs_is_named_with_what_is_said_of_it_now() -> None:
+def test_what_differs_is_named_with_what_is_said_of_it_now(listed: Path) -> None:
     other = FINDING | {"verdict": "contradicted", "side": "lower"}
 
-    line = last_line(results(other, SENTENCE))
+    line = last_line(results(other, SENTENCE), listed)
 
     place = "doe2021, Table 1, F1 mean, WOA: contradicted lower"
     assert line == f"1 of 2 as expected; not: {place}"
 
 
-@pytest.mark.usefixtures("listed")
-def test_a_number_that_the_list_lacks_and_one_that_is_gone_are_differences() -> None:
-    assert last_line(results(FINDING, SENTENCE, FINDING)).startswith("2 of 3 as expected; not: ")
-    assert last_line(results(FINDING)).startswith("1 of 2 as expected; not: doe2021, it is so")
+def test_a_number_that_the_list_lacks_and_one_that_is_gone_are_differences(listed: Path) -> None:
+    assert last_line(results(FINDING, SENTENCE, FINDING), listed).startswith(
+        "2 of 3 as expected; not: "
+    )
+    assert last_line(results(FINDING), listed).startswith(
+        "1 of 2 as expected; not: doe2021, it is so"
+    )
 
 
-@pytest.mark.usefixtures("listed")
-def test_other_values_of_the_first_repeat_are_counted_unless_another_seed_was_asked_for() -> None:
+def test_other_values_of_the_first_repeat_are_counted_unless_another_seed_was_asked_for(
+    listed: Path,
+) -> None:
     other = results(FINDING | {"value": 0.3}, SENTENCE)
 
-    assert "the first repeat gives 1 other values" in last_line(other)
-    assert last_line(other, "another") == "2 of 2 as expected"
+    assert "the first repeat gives 1 other values" in last_line(other, listed)
+    assert last_line(other, listed, "another") == "2 of 2 as expected"
 
 
-@pytest.mark.usefixtures("listed")
-def test_another_depth_than_that_of_the_list_is_said() -> None:
-    line = last_line(results(FINDING, SENTENCE, repeats=2))
+def test_another_depth_than_that_of_the_list_is_said(listed: Path) -> None:
+    line = last_line(results(FINDING, SENTENCE, repeats=2), listed)
 
     assert line.endswith("; doe2021 is expected of 10 repeats, these are 2")
 
 
 def test_table_counts_verdicts_and_repeats_by_paper() -> None:
-    headings, row, *_ = summary(results(FINDING, SENTENCE), ["doe2021"]).splitlines()
+    headings, row, *_ = summary(
+        results(FINDING, SENTENCE), {"doe2021": Path("no list")}
+    ).splitlines()
 
     shown = dict(zip(headings.replace("not re", "re").split(), row.split(), strict=False))
     assert shown["paper"] == "doe2021"
@@ -98,7 +100,7 @@ def test_what_is_impossible_under_a_condition_only_is_not_counted() -> None:
         {"grade": "noted", "condition": None},
         {"grade": "impossible"},  # of an older file, which knew no conditions
     ]
-    headings, row, *_ = summary(found, ["doe2021"]).splitlines()
+    headings, row, *_ = summary(found, {"doe2021": Path("no list")}).splitlines()
 
     assert headings.split()[-2:] == ["impossible", "repeats"]
     assert row.split()[-2:] == ["2", "10"]

@@ -8,7 +8,7 @@ from repro.__main__ import main
 from repro.commands.unchanged import Written
 from repro.commands.written_pages import write_pages
 from repro.runs.store.store import Store
-from tests.small_papers import PAPER
+from tests.small_papers import PAPER, let_be_known
 from tests.small_stores import ENVIRONMENT, RECORDS, TASKS, change, filled
 
 Change = Callable[[Path], object]
@@ -107,7 +107,7 @@ def test_pages_of_another_machine_are_written_again(
 def test_damaged_run_is_found_though_nothing_else_changed(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr("repro.commands.catalogue.all_papers", lambda: {PAPER.key: PAPER})
+    let_be_known(monkeypatch, PAPER)
     places = ["--store", str(tmp_path / "store"), "--reports", str(tmp_path / "reports")]
     command = ["reproduce", "--repeats", "1", "--protocol-only", *places]
     assert main(command) == 0
@@ -121,7 +121,7 @@ def test_damaged_run_is_found_though_nothing_else_changed(
 def test_reproduce_with_nothing_to_do_writes_nothing(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("repro.commands.catalogue.all_papers", lambda: {PAPER.key: PAPER})
+    let_be_known(monkeypatch, PAPER)
     places = ["--store", str(tmp_path / "store"), "--reports", str(tmp_path / "reports")]
     command = ["reproduce", "--repeats", "1", *places]
     assert main(command) == 0

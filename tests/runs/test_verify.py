@@ -12,14 +12,14 @@ from repro.runs.plan import plan
 from repro.runs.run import Record, execute
 from repro.runs.store.store import Store
 from repro.runs.verify import LAST_BITS, Outcome, Verification, compare, verify
-from tests.small_papers import PAPER
+from tests.small_papers import PAPER, let_be_known
 from tests.small_stores import ENVIRONMENT, RECORDS, TASKS, change, filled
 
 
 @pytest.fixture
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """Return the folder of a store that holds every run of the small paper, which is known."""
-    monkeypatch.setattr("repro.commands.catalogue.all_papers", lambda: {PAPER.key: PAPER})
+    let_be_known(monkeypatch, PAPER)
     return filled(tmp_path / "store")
 
 
