@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from repro.determinism.source_digests import _closure
+from repro.determinism.definitions import imported_modules
 from tests.test_architecture import SOURCES, imports, tree
 
 UNSAFE = {"pickle", "cPickle", "_pickle", "marshal", "shelve", "dill", "cloudpickle", "joblib"}
@@ -20,9 +20,18 @@ READERS = (
 )
 
 
+def closure(module: str) -> set[str]:
+    found: set[str] = set()
+    waiting = {module}
+    while waiting:
+        found |= waiting
+        waiting = {name for one in waiting for name in imported_modules(one)} - found
+    return found
+
+
 @pytest.mark.parametrize("reader", READERS)
 def test_what_reads_files_back_imports_nothing_that_can_unpickle(reader: str) -> None:
-    modules = _closure((reader,))
+    modules = closure(reader)
     files = [
         source
         for source in SOURCES

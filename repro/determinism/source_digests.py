@@ -1,98 +1,106 @@
-"""Digests of source code: which modules a run depends on, and whether they still say the same."""
+"""Digests of what a run rests on: the objects that it is given, and the source that they reach.
 
-import ast
-import hashlib
-import importlib.util
+What a digest follows and what it leaves out stands in docs/determinism.md.
+"""
+
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from functools import cache
-from pathlib import Path
-from typing import Any
+from types import MappingProxyType
+
+from repro.determinism.definitions import Definition, Reached, changes_in_runs, digest, reached
+from repro.determinism.held_values import Teller, fields_of
+from repro.determinism.source_files import is_of_engine, is_own
+
+Parts = Mapping[str, str]
+"""What something is made of: names in words, each with a digest."""
 
 
-@cache
-def source_digest(*modules: str) -> str:
-    """Return a digest of the named modules and all modules of the engine that they import.
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Told:
+    """What some objects are: digests of their values by name, and the definitions they rest on."""
 
-    Comments, layout and docstrings do not count; anything that runs does. The named modules count
-    wherever they come from: a paper or a user may bring an algorithm or a problem along.
+    values: Parts
+    roots: frozenset[Definition]
+
+    @property
+    def digest(self) -> str:
+        """A digest of all of it."""
+        return digest(f"{sorted(self.values.items())}{_joined(self.roots)}")
+
+    @property
+    def sources(self) -> str:
+        """A digest of the source code alone, whatever the values are."""
+        return _joined(self.roots)
+
+    @property
+    def parts(self) -> Parts:
+        """Every value and every definition, by name."""
+        return {**_sources(self.roots), **self.values}
+
+
+def told(**objects: object) -> Told:
+    """Return what some objects are, each under its name, with each of its fields.
+
+    Raises DeclarationError, naming the place, for an object whose value cannot be told.
     """
-    digest = hashlib.sha256()
-    for name in sorted(_closure(modules)):
-        digest.update(f"{name}\0{_meaning(name)}\0".encode())
-    return digest.hexdigest()
+    teller = Teller()
+    values = {
+        name: digest(text)
+        for place, value in objects.items()
+        for name, text in _fields(teller, value, place)
+    }
+    return Told(values=values, roots=frozenset(teller.roots))
 
 
-def sources_of_run(optimiser: object, subject: Any) -> str:  # noqa: ANN401 (any problem)
-    """Return a digest of all source code that decides what a run of a search gives."""
-    modules = {type(optimiser).__module__, type(subject).__module__, subject.kernel.__module__}
-    return source_digest("repro.determinism.seeds", *sorted(modules))
+def together(*several: Told) -> Told:
+    """Return what several say as one."""
+    values = {name: text for one in several for name, text in one.values.items()}
+    return Told(values=values, roots=frozenset[Definition]().union(*(o.roots for o in several)))
 
 
-def _closure(modules: tuple[str, ...]) -> set[str]:
-    found: set[str] = set()
-    waiting = list(modules)
-    while waiting:
-        name = waiting.pop()
-        if name not in found and (name in modules or name.startswith("repro.")):
-            found.add(name)
-            waiting.extend(_imports(name))
-    return found
+def digest_of(value: object, *, soft: bool = False) -> str:
+    """Return a digest of all that an object is, holds and reaches.
+
+    With `soft` what cannot be told is its type alone; else DeclarationError.
+    """
+    teller = Teller(soft=soft)
+    text = teller.text(value, type(value).__name__)
+    return digest(f"{text}\0{_joined(frozenset(teller.roots))}")
 
 
-@cache
-def _path(name: str) -> Path | None:
-    """Return the file of a module; None for what is no module written in Python."""
-    try:
-        spec = importlib.util.find_spec(name)
-        origin = spec.origin if spec else None
-    except ModuleNotFoundError:  # its parent is a module and no package
-        origin = None
-    except ValueError:  # a script that was started as such
-        origin = getattr(sys.modules[name], "__file__", None)
-    return Path(origin) if origin and origin.endswith(".py") else None
+def _fields(teller: Teller, value: object, place: str) -> Iterator[tuple[str, str]]:
+    """Yield an object as a text, and each field of one that is ours or a user's by itself."""
+    yield place, teller.text(value, place)
+    if is_own(type(value).__module__):
+        for name, held in fields_of(value):
+            yield f"{place}.{name}", Teller(soft=True).text(held, name)
 
 
 @cache
-def _tree(name: str) -> ast.Module:
-    path = _path(name)
-    return ast.parse(path.read_text(encoding="utf-8") if path else "")
+def _joined(roots: frozenset[Definition]) -> str:
+    return digest(str(sorted(_sources(roots).items())))
 
 
 @cache
-def _imports(name: str) -> tuple[str, ...]:
-    return tuple(
-        found
-        for found in _names_imported(_tree(name))
-        if found.startswith("repro.") and _path(found)
-    )
+def _sources(roots: frozenset[Definition]) -> Parts:
+    while True:
+        found = reached(roots)
+        teller = Teller(soft=True)
+        values = {f"value of {one}": digest(teller.text(v, str(one))) for one, v in _loaded(found)}
+        if teller.roots <= found.keys():
+            return MappingProxyType({**{str(one): text for one, text in found.items()}, **values})
+        roots |= teller.roots
 
 
-def _names_imported(tree: ast.Module) -> Iterator[str]:
-    for node in ast.walk(tree):
-        if isinstance(node, ast.Import):
-            yield from (alias.name for alias in node.names)
-        if isinstance(node, ast.ImportFrom) and node.module:
-            yield node.module
-            # a name that is imported from a package may be a module of it
-            yield from (f"{node.module}.{alias.name}" for alias in node.names)
+def _loaded(found: Reached) -> Iterator[tuple[Definition, object]]:
+    """Yield what a user's names stand for now: it may come from a file, or be set from elsewhere.
 
-
-@cache
-def _meaning(name: str) -> str:
-    tree = _tree(name)
-    for node in ast.walk(tree):
-        body = getattr(node, "body", None)
-        if isinstance(body, list):
-            body[:] = [statement for statement in body if not _is_idle(statement)]
-    return ast.dump(tree)
-
-
-def _is_idle(node: ast.stmt) -> bool:
-    if isinstance(node, ast.Pass):
-        return True
-    return (
-        isinstance(node, ast.Expr)
-        and isinstance(node.value, ast.Constant)
-        and isinstance(node.value.value, str)
-    )
+    What functions change while runs go is left out.
+    """
+    for one in found:
+        if one.name and not is_of_engine(one.module) and is_own(one.module):
+            names = vars(sys.modules.get(one.module, object))
+            if one.name in names and not changes_in_runs(one):
+                yield one, names[one.name]

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from repro.determinism.compiled import jit
 from repro.determinism.plain_costs import callable_cost, is_compiled
 from repro.determinism.seeds import generator
-from repro.determinism.source_digests import source_digest
+from repro.determinism.source_digests import digest_of
 from repro.errors import InputError
 from repro.functions.function import BenchmarkProblem
 
@@ -102,7 +102,7 @@ def _moved(kernel: Any) -> Any:  # noqa: ANN401 (numba ships no types)
     that holds a digest of the source of f, for the cached code to be that of no other function.
     """
     source = kernel.__module__
-    name = f"moved_{source}_{kernel.__name__}_{source_digest(source)[:16]}".replace(".", "_")
+    name = f"moved_{source}_{kernel.__name__}_{digest_of(kernel)[:16]}".replace(".", "_")
     function = types.FunctionType(_at_shifted_point.__code__, {"f": kernel}, name)
     function.__qualname__ = name
     function.__module__ = source  # the module on whose source the values depend

@@ -10,7 +10,7 @@ from typing import Any, ClassVar, Unpack
 import numpy as np
 from numpy.typing import NDArray
 
-from repro.determinism.source_digests import source_digest
+from repro.determinism.source_digests import digest_of
 from repro.errors import InputError
 from repro.optimisers.own_search import (
     OwnSearch,
@@ -54,9 +54,7 @@ class Entrant:
 
 def entrant(place: str) -> Entrant:
     """Return the search at a place; InputError where there is none."""
-    found = load(place)
-    modules = {place.partition(":")[0], getattr(type(found), "__module__", "builtins")}
-    return Entrant(place=place, source=source_digest(*sorted(modules - {"builtins"})))
+    return Entrant(place=place, source=digest_of(load(place), soft=True))
 
 
 def load(place: str) -> Any:  # noqa: ANN401 (whatever the user wrote)

@@ -5,13 +5,19 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from repro.determinism.source_digests import sources_of_run
-from repro.errors import InputError
+from repro.determinism.source_digests import Told, together, told
+from repro.errors import DeclarationError, InputError
 from repro.model.evidence import Cell
 from repro.model.experiment import Experiment
 from repro.model.paper import Paper
 from repro.optimisers.search import Optimiser
+from repro.runs.rules import conduct, fault
 from repro.runs.studies import Study, studies
+
+Memory = dict[tuple[str, int], tuple[object, Told]]
+"""What objects are, each by its place and the number of the object."""
+
+_RULES = (conduct, fault)  # by which every run is made and judged sound
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -58,6 +64,7 @@ def plan(
     if repeats < 1:
         message = f"repeats is {repeats}; it must be 1 or more"
         raise InputError(message)
+    memory: Memory = {}
     declared = tuple(papers)
     protocols = [
         (paper, experiment, repeats) for paper in declared for experiment in paper.experiments
@@ -72,7 +79,9 @@ def plan(
         for paper, experiment, times in (*protocols, *besides)
         for problem in experiment.problems
         for algorithm in experiment.algorithms
-        for task in _cell(paper.key, experiment, problem, algorithm, times, seed)
+        for task in _cell(
+            paper.key, experiment, problem, algorithm, repeats=times, seed=seed, memory=memory
+        )
     )
 
 
@@ -80,20 +89,36 @@ def deeper_tasks(
     paper: Paper, besides: Iterable[Study], depths: Mapping[Cell, int], seed: str = ""
 ) -> tuple[Task, ...]:
     """Return every run of some cells of studies, so many times over each."""
+    memory: Memory = {}
     return tuple(
         task
         for study in besides
         for problem in study.experiment.problems
         for algorithm in study.experiment.algorithms
         if (cell := (study.experiment.name, problem, algorithm)) in depths
-        for task in _cell(paper.key, study.experiment, problem, algorithm, depths[cell], seed)
+        for task in _cell(
+            paper.key,
+            study.experiment,
+            problem,
+            algorithm,
+            repeats=depths[cell],
+            seed=seed,
+            memory=memory,
+        )
     )
 
 
 def _cell(
-    paper: str, experiment: Experiment, problem: str, algorithm: str, repeats: int, seed: str
+    paper: str,
+    experiment: Experiment,
+    problem: str,
+    algorithm: str,
+    *,
+    repeats: int,
+    seed: str,
+    memory: Memory,
 ) -> Iterable[Task]:
-    inputs = _inputs(experiment, problem, algorithm)
+    inputs = made_of(experiment, problem, algorithm, memory).digest
     for repeat in range(1, repeats + 1):
         for run in range(1, experiment.runs + 1):
             place = (seed, paper, experiment.name, problem, algorithm, repeat, run)
@@ -116,18 +141,39 @@ def _cell(
             )
 
 
-def _inputs(experiment: Experiment, problem: str, algorithm: str) -> str:
-    """Return a digest of all that decides the outcome of a run but its seed."""
+def made_of(experiment: Experiment, problem: str, algorithm: str, memory: Memory) -> Told:
+    """Return all that decides the outcome of runs but their seeds.
+
+    `memory` is of one call: what an object is it tells once. Raises DeclarationError, naming the
+    place, for an algorithm or a problem that cannot be told.
+    """
     optimiser, subject = experiment.algorithms[algorithm], experiment.problems[problem]
-    return _digest(
-        repr(optimiser),
-        type(subject).__qualname__,
-        repr(subject.identity),
-        experiment.population,
-        experiment.iterations,
-        experiment.evaluations,
-        sources_of_run(optimiser, subject),
+    try:
+        parts = (_once(memory, "algorithm", optimiser), _once(memory, "problem", subject))
+    except DeclarationError as error:
+        message = f"{experiment.name}, {algorithm!r} on {problem!r}: {error}"
+        raise DeclarationError(message) from None
+    budget = told(
+        population=experiment.population,
+        iterations=experiment.iterations,
+        evaluations=experiment.evaluations,
     )
+    return together(*parts, _once(memory, "rules", _RULES), budget)
+
+
+def sources_of_run(optimiser: object, subject: Any) -> str:  # noqa: ANN401 (any problem)
+    """Return a digest of all source code that decides what a run of a search gives."""
+    memory: Memory = {}
+    objects = {"algorithm": optimiser, "problem": subject, "rules": _RULES}
+    return together(*(_once(memory, *pair) for pair in objects.items())).sources
+
+
+def _once(memory: Memory, place: str, value: object) -> Told:
+    """Return what an object is; the memory keeps it, so that no other takes its number."""
+    if (place, id(value)) not in memory:
+        more = {"kernel": value.kernel} if hasattr(value, "kernel") else {}
+        memory[place, id(value)] = (value, told(**{place: value}, **more))
+    return memory[place, id(value)][1]
 
 
 def _digest(*parts: object) -> str:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from repro.determinism.noise import ROOM, noise_of_run
 from repro.determinism.plain_costs import PlainCost, is_compiled
+from repro.determinism.seeds import generator
 from repro.errors import InputError
 from repro.optimisers.search import (
     DeclaresSpending,
@@ -103,6 +104,23 @@ def in_numbers(result: Any) -> Result:  # noqa: ANN401 (whatever a search return
         raise TypeError(message)
     x, history = (np.array(part, dtype=np.float64) for part in (result.x, result.history))
     return Result(x=x, cost=float(cost), history=history, evaluations=int(evaluations))
+
+
+def conduct(
+    optimiser: Optimiser,
+    subject: Any,  # noqa: ANN401 (any problem)
+    stream: str,
+    *,
+    population: int,
+    **budget: int,
+) -> tuple[Result, Given]:
+    """Return the result of a search that is seeded by the name of its run, and what it was given.
+
+    The budget is `iterations` or `evaluations`. Raises whatever the search raises.
+    """
+    given = Given.of(subject, stream)
+    rng = generator(stream)
+    return in_numbers(optimiser.minimise(given, population=population, rng=rng, **budget)), given
 
 
 def fault(

@@ -9,11 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from repro.determinism.plain_costs import releases_interpreter
-from repro.determinism.seeds import generator
 from repro.optimisers.search import HoldsInterpreter, hands_to_search
 from repro.runs.apart import GlobalDraws, fresh
 from repro.runs.plan import Task
-from repro.runs.rules import Given, fault, in_numbers
+from repro.runs.rules import conduct, fault
 
 Vector = NDArray[np.float64]
 _SHOWN = 300  # characters of a message that a reason shows
@@ -45,14 +44,14 @@ def execute(task: Task) -> Record:
     start = time.perf_counter()
     try:
         plain = holds_interpreter(task)
-        given = Given.of(fresh(task.subject) if plain else task.subject, task.stream)
-        optimiser = fresh(task.optimiser) if plain else task.optimiser
-        budget = _budget(task)
         shared = GlobalDraws() if plain else None  # compiled code cannot reach them
-        result = in_numbers(
-            optimiser.minimise(
-                given, population=task.population, rng=generator(task.stream), **budget
-            )
+        budget = _budget(task)
+        result, given = conduct(
+            fresh(task.optimiser) if plain else task.optimiser,
+            fresh(task.subject) if plain else task.subject,
+            task.stream,
+            population=task.population,
+            **budget,
         )
         seconds = time.perf_counter() - start
         drawn = shared.fault() if shared else None

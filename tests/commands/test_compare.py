@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from repro.__main__ import main
-from repro.determinism import source_digests as sources
+from tests.determinism.edited_packages import forget
 from tests.small_papers import PAPER, let_be_known
 
 MODULE = """
@@ -19,13 +19,6 @@ def lost(cost, bounds, budget, rng): raise ValueError("no way\\nhome")
 Run = Callable[..., tuple[int, str, str]]
 
 
-def forget_sources() -> None:
-    """Let the digests of sources be taken anew, as another process would."""
-    for value in vars(sources).values():
-        if hasattr(value, "cache_clear"):
-            value.cache_clear()
-
-
 @pytest.fixture
 def run(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
@@ -35,7 +28,7 @@ def run(
     monkeypatch.setattr(sys, "path", [*sys.path])
     let_be_known(monkeypatch, PAPER)
     (tmp_path / "mine.py").write_text(MODULE)
-    forget_sources()
+    forget()
 
     def command(*arguments: str) -> tuple[int, str, str]:
         code = main(arguments)
@@ -66,7 +59,7 @@ def test_same_search_is_not_run_again_and_a_changed_one_is(run: Run) -> None:
     again = run("compare", "mine:sample", "--workers", "1")
     Path("mine.py").write_text(MODULE.replace("budget, len", "budget // 2, len"))
     sys.modules.pop("mine")
-    forget_sources()
+    forget()
     changed = run("compare", "mine:sample", "--workers", "1")
 
     assert "3/3 runs" in first[2]

@@ -15,7 +15,7 @@ from repro.model.experiment import Experiment
 from repro.model.paper import Paper
 from repro.runs.plan import Task, plan
 from repro.runs.studies import studies
-from tests.determinism.test_source_digests import forget
+from tests.determinism.edited_packages import forget
 from tests.small_papers import EXPERIMENT, PAPER, Bowl, Guessing, searching
 
 KERNEL = """

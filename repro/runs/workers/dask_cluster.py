@@ -9,9 +9,8 @@ from functools import cache
 from typing import Any
 
 from repro.determinism.provenance import provenance
-from repro.determinism.source_digests import sources_of_run
 from repro.errors import ClusterLostError, InputError
-from repro.runs.plan import Task
+from repro.runs.plan import Task, sources_of_run
 from repro.runs.run import Record, execute
 from repro.runs.workers.pickling import pack, stripped, unpack
 
