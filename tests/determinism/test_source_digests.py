@@ -275,7 +275,7 @@ def of_object(package: Package, text: str, **more: str) -> str:
         ("def f():\n    return globals()['A']\nA = 3\nSEARCH = f", "= 3", "= 4"),
         ("import sys\ndef f():\n    return sys.modules[__name__]\nA = 3\nSEARCH = f", "= 3", "= 4"),
         ("class M(type):\n    y = 1\nclass S(metaclass=M):\n    pass\nSEARCH = S()", "= 1", "= 2"),
-        ("def g(x):\n    return x\nA = 3\ndef f():\n    return g(A).real\nSEARCH = f", "= 3", "= 4"),
+        ("def g(x):\n  return x\nA = 3\ndef f():\n    return g(A).real\nSEARCH = f", "= 3", "= 4"),
         (DISPATCHING, "return 2", "return 3"),
         (DISPATCHING, "x: int", "x: float"),
         (SLOTTED, "= 5", "= 6"),
