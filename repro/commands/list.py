@@ -4,11 +4,12 @@ import json
 import sys
 from argparse import Namespace
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
 from repro.commands import catalogue
+from repro.commands.made_before import changed_since, in_words
 from repro.model.paper import Paper
 from repro.runs.plan import plan
 from repro.runs.store.store import finished_keys
@@ -27,11 +28,13 @@ def run(options: Namespace) -> int:
 def listing(papers: Iterable[Paper], repeats: int, store: Path) -> list[Row]:
     """Return one row per paper; the store is read and not changed."""
     finished = finished_keys(store)
-    return [_row(paper, repeats, finished) for paper in papers]
+    return [_row(paper, repeats, finished, store) for paper in papers]
 
 
-def _row(paper: Paper, repeats: int, finished: frozenset[str]) -> Row:
+def _row(paper: Paper, repeats: int, finished: frozenset[str], store: Path) -> Row:
     tasks = plan([paper], repeats)
+    lacking = {(t.experiment, t.problem, t.algorithm) for t in tasks if t.key not in finished}
+    changed = changed_since(store, paper) if lacking else {}
     total = Counter(task.experiment for task in tasks)
     done = Counter(task.experiment for task in tasks if task.key in finished)
     experiments, others = (
@@ -42,6 +45,11 @@ def _row(paper: Paper, repeats: int, finished: frozenset[str]) -> Row:
                 "algorithms": list(experiment.algorithms),
                 "done": done[experiment.name],
                 "missing": total[experiment.name] - done[experiment.name],
+                "changed": [
+                    {"problem": problem, "algorithm": algorithm, "parts": list(parts)}
+                    for (name, problem, algorithm), parts in changed.items()
+                    if name == experiment.name and (name, problem, algorithm) in lacking
+                ],
             }
             for experiment in group
         ]
@@ -59,18 +67,29 @@ def _row(paper: Paper, repeats: int, finished: frozenset[str]) -> Row:
     }
 
 
+def _changes(changed: Iterable[Row]) -> Iterator[str]:
+    """Yield a line for each set of parts that is another than when runs were made of it."""
+    cells: dict[tuple[str, ...], list[str]] = {}
+    for each in changed:
+        place = f"{each['algorithm']} on {each['problem']}"
+        cells.setdefault(tuple(each["parts"]), []).append(place)
+    for parts, places in cells.items():
+        yield f"    changed since they ran: {in_words(parts)} (of {in_words(places)})"
+
+
 def listing_text(rows: list[Row]) -> str:
     """Return the listing as text for a terminal."""
     lines = []
     for row in rows:
         lines.append(f"{row['key']}: {row['title']}")
         lines.append(f"  tables: {', '.join(row['tables'])}; claims: {row['claims']}")
-        lines.extend(
-            f"  {experiment['name']}: {' '.join(experiment['algorithms'])} on "
-            f"{' '.join(experiment['problems'])}, {experiment['done']} runs done, "
-            f"{experiment['missing']} missing"
-            for experiment in row["experiments"]
-        )
+        for experiment in row["experiments"]:
+            lines.append(
+                f"  {experiment['name']}: {' '.join(experiment['algorithms'])} on "
+                f"{' '.join(experiment['problems'])}, {experiment['done']} runs done, "
+                f"{experiment['missing']} missing"
+            )
+            lines.extend(_changes(experiment["changed"]))
         if others := row["studies"]:
             lines.append(
                 f"  {len(others)} studies besides: {sum(o['done'] for o in others)} runs done, "

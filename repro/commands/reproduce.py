@@ -8,6 +8,7 @@ from functools import partial
 from repro.commands import catalogue
 from repro.commands.expected_verdicts import summary
 from repro.commands.interrupts import terminable
+from repro.commands.made_before import remember
 from repro.commands.progress import Progress
 from repro.commands.shown_rows import warn
 from repro.commands.unchanged import Written
@@ -40,6 +41,7 @@ def run(options: Namespace) -> int:
         if catalogue.of_this_house(options.places.values()) and written.stand(store):
             return [], read_results(options.reports / "results.json")
         failed = _run(store, tasks, options)
+        remember(options.store, chosen)
 
         def deeper(more: Sequence[Task]) -> None:
             failed.extend(_run(store, more, options))

@@ -1,0 +1,80 @@
+"""What the runs of a store were made of, kept beside them: so that `list` can say what changed."""
+
+import json
+from collections.abc import Iterable, Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+from repro.model.paper import Paper
+from repro.report.files import write_file
+from repro.runs.plan import Memory, made_of
+
+_NAME = "made-of.json"
+_DIGITS = 12  # of a digest: it is compared with one other
+_SHOWN = 4  # changed parts that a line names
+Cells = Mapping[str, Mapping[str, str]]
+
+
+def remember(store: Path, papers: Iterable[Paper]) -> None:
+    """Note in the store's folder what the runs of these papers' protocols are made of."""
+    cells = {**_before(store), **dict(_now(papers))}
+    pairs = sorted({pair for cell in cells.values() for pair in cell.items()})
+    parts = {pair: k for k, pair in enumerate(pairs)}
+    content = {
+        "parts": pairs,
+        "cells": {name: sorted(parts[p] for p in cell.items()) for name, cell in cells.items()},
+    }
+    write_file(store / _NAME, json.dumps(content, ensure_ascii=False) + "\n")
+
+
+def changed_since(store: Path, paper: Paper) -> dict[tuple[str, str, str], tuple[str, ...]]:
+    """Return what decides runs and is another than it was, by experiment, problem and algorithm.
+
+    A cell that nothing is known of is left out.
+    """
+    before = _before(store)
+    found = {}
+    for name, now in _now([paper]):
+        _, *place = name.split("/")
+        if changed := _other_parts(before.get(name, now), now):
+            experiment, problem, algorithm = place
+            found[experiment, problem, algorithm] = changed
+    return found
+
+
+def in_words(changed: Iterable[str]) -> str:
+    """Return changed parts as the end of "changed since: …"."""
+    names = list(dict.fromkeys(changed))
+    more = f" and {len(names) - _SHOWN} more" if len(names) > _SHOWN else ""
+    return ", ".join(names[:_SHOWN]) + more
+
+
+def _now(papers: Iterable[Paper]) -> Iterator[tuple[str, Mapping[str, str]]]:
+    memory: Memory = {}
+    for paper in papers:
+        for experiment in paper.experiments:
+            for problem in experiment.problems:
+                for algorithm in experiment.algorithms:
+                    parts = made_of(experiment, problem, algorithm, memory).parts
+                    cell = {part: digest[:_DIGITS] for part, digest in parts.items()}
+                    yield f"{paper.key}/{experiment.name}/{problem}/{algorithm}", cell
+
+
+def _other_parts(before: Mapping[str, str], now: Mapping[str, str]) -> tuple[str, ...]:
+    """Return the names of parts that differ, the whole left out where a part of it is named."""
+    names = [name for name in sorted({*before, *now}) if before.get(name) != now.get(name)]
+    plain = {name.removeprefix("value of ") for name in names}
+    return tuple(
+        name for name in sorted(plain) if not any(each.startswith(f"{name}.") for each in plain)
+    )
+
+
+def _before(store: Path) -> Cells:
+    try:
+        content: Any = json.loads((store / _NAME).read_text(encoding="utf-8"))
+        parts = [(str(name), str(digest)) for name, digest in content["parts"]]
+        return {
+            str(name): dict(parts[k] for k in numbers) for name, numbers in content["cells"].items()
+        }
+    except (OSError, ValueError, LookupError, TypeError, AttributeError):
+        return {}  # it only explains: without it nothing is said
