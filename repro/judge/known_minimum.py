@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from repro.functions import BenchmarkProblem
+from repro.functions import BenchmarkProblem, BoxProblem
 from repro.judge.certificates import Certificate
 from repro.robotics import MinimumTime, MinimumTimeSpline, PathFitting
 from repro.robotics.fixed_penalties import cheapest
@@ -26,6 +26,9 @@ def known_minimum(
     """
     if isinstance(problem, BenchmarkProblem):
         return KnownMinimum(value=problem.minimum, how="minimum of the function")
+    if isinstance(problem, BoxProblem):
+        declared = problem.minimum
+        return None if declared is None else KnownMinimum(value=declared, how="as declared")
     if isinstance(problem, PathFitting):
         inside = problem.allows(problem.nearest())
         return KnownMinimum(value=problem.least_cost(), how="least squares") if inside else None

@@ -6,9 +6,9 @@ import pytest
 from papers.liang2026 import MOTION
 from papers.mousa2023 import FIT
 from papers.syji import PRINTED, RESTING
-from repro.functions import FUNCTIONS
+from repro.functions import FUNCTIONS, BoxProblem
 from repro.judge.certificates import Certificate
-from repro.judge.known_minimum import known_minimum
+from repro.judge.known_minimum import KnownMinimum, known_minimum
 from repro.optimisers import GWO
 from tests.small_problems import small
 
@@ -66,3 +66,10 @@ def test_fixed_penalties_have_the_fitness_that_a_search_comes_near_to() -> None:
 
 def test_problem_of_a_stranger_has_no_known_minimum() -> None:
     assert known_minimum("search/slope", small("slope")) is None
+
+
+def test_minimum_of_a_cost_of_ones_own_is_the_declared_one_where_there_is_one() -> None:
+    declared = BoxProblem(cost=sum, box=[(0, 1)], minimum=0.0)
+
+    assert known_minimum("own/p", declared) == KnownMinimum(value=0.0, how="as declared")
+    assert known_minimum("own/p", BoxProblem(cost=sum, box=[(0, 1)])) is None
