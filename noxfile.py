@@ -181,7 +181,7 @@ def types(session: nox.Session) -> None:
 @nox.session
 def bench(session: nox.Session) -> None:
     """Measure speed against other packages and against C; writes benchmarks/RESULTS.md."""
-    _install(session, "test")
+    _install(session, "browser")
     environment = {**ONE_THREAD, "REPRO_PEERS": str(_peers(session))}
     options = ("--benchmark-only", "--results", "benchmarks/RESULTS.md")
     session.run("pytest", "benchmarks", *options, *session.posargs, env=environment)

@@ -46,6 +46,7 @@ class Goal:
 
 _PEERS, _LIMIT = "Against other packages", "Against C"
 _WHOLE, _CORES = "Whole calls", "Scaling and overhead"
+_AUDIT = "Auditing a table"
 _WHALE = {"algorithm": "WOA", "function": "sphere"}
 GOALS = (
     Goal(
@@ -111,6 +112,30 @@ GOALS = (
         column="overhead on 1 worker",
         bound=5,
         unit=" %",
+    ),
+    Goal(
+        says="a table of 2,000 blocks",
+        section=_AUDIT,
+        where={"what": "2,000 blocks"},
+        column="s",
+        bound=5,
+        unit=" s",
+    ),
+    Goal(
+        says="start-up of `repro audit FILE`",
+        section=_AUDIT,
+        where={"what": "`repro audit FILE`, two blocks"},
+        column="s",
+        bound=1.5,
+        unit=" s",
+    ),
+    Goal(
+        says="the page of the manual, from load to rows",
+        section=_AUDIT,
+        where={"what": "the page of the manual, from load to rows"},
+        column="s",
+        bound=10,
+        unit=" s",
     ),
 )
 

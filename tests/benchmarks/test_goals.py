@@ -1,10 +1,13 @@
 import pytest
 
-from benchmarks import test_engine, test_limit, test_peers
+from benchmarks import test_audit, test_engine, test_limit, test_peers
 from benchmarks.goals import GOALS, Goal, held_against
 from benchmarks.results import Results, Section
 
-SECTIONS = (test_engine.WHOLE, test_engine.CORES, test_limit.LIMIT, test_peers.PEERS)
+SECTIONS = (
+    *(test_engine.WHOLE, test_engine.CORES),
+    *(test_audit.AUDIT, test_limit.LIMIT, test_peers.PEERS),
+)
 SPEED = Goal(says="a", section="Speed", where={"who": "a"}, column="times", bound=1000, unit=" ×")
 
 
