@@ -3,7 +3,8 @@
 numba decides from one file's time stamp whether its cached machine code is current; it does not
 see a change in a function that the file calls. So the cache lives in a folder named after a
 digest of every compiled source, and a change anywhere starts a fresh one. Compiled sources are all
-modules of the folders in which one imports this module.
+modules of the folders in which one imports this module. A function of a user's own has a folder in
+that one, named after a digest of the user's modules that its own one imports, directly or not.
 """
 
 import hashlib
@@ -16,6 +17,8 @@ from typing import Any
 import numba
 from numba.types import FunctionType, Tuple, float64, int64, uint64
 
+from repro.determinism.definitions import import_closure
+from repro.determinism.source_files import is_of_engine, path_of, text_of
 from repro.errors import InputError
 
 _PACKAGE = Path(__file__).parent.parent
@@ -36,10 +39,33 @@ _CACHED = bool(numba.config.CACHE_DIR) or os.access(_PACKAGE, os.W_OK)
 if not numba.config.CACHE_DIR:
     numba.config.CACHE_DIR = str(_CACHE)
 
-jit = numba.njit(nogil=True, cache=_CACHED, error_model="numpy")
-"""Decorator of every compiled function: no Python objects, no GIL, cached on disk.
 
-A division by zero gives what IEEE 754 says, not an exception."""
+def jit(function: Any) -> Any:  # noqa: ANN401 (numba ships no types)
+    """Return a function compiled: no Python objects, no GIL, cached on disk.
+
+    A division by zero gives what IEEE 754 says, not an exception. Code whose source cannot be found
+    is compiled anew in every process.
+    """
+    own = "" if is_of_engine(function.__module__) else _sources_of(function.__module__)
+    cached = _CACHED and own is not None
+    with _LOCK:
+        before = numba.config.CACHE_DIR
+        if own:
+            numba.config.CACHE_DIR = str(Path(before) / f"own-{own}")
+        try:
+            return numba.njit(nogil=True, cache=cached, error_model="numpy")(function)
+        finally:
+            numba.config.CACHE_DIR = before
+
+
+def _sources_of(module: str) -> str | None:
+    """Return a digest of all own modules that a module imports, itself first; None without any."""
+    if path_of(module) is None:
+        return None
+    texts = {name: text_of(name) for name in {module, *import_closure(module)}}
+    text = "\0".join(f"{name}\0{texts[name]}" for name in sorted(texts))
+    return hashlib.sha256(text.encode()).hexdigest()[:16]
+
 
 VECTOR = float64[::1]
 COST = float64(VECTOR, VECTOR)

@@ -48,7 +48,7 @@ def array(state: list[int]) -> State:
     return np.array(state, dtype=np.uint64)
 
 
-@jit  # type: ignore[untyped-decorator]
+@jit
 def held_pair(n: int, state: State) -> tuple[float, int]:
     """Return one number and one integer below n, drawn from a held state."""
     words = held(state)

@@ -32,7 +32,7 @@ def test_the_compared_whale_stands_on_the_footing_of_iwoa_under_every_reading(
 ) -> None:
     for experiment in (BENCHMARK, MOTION):
         under = applied(experiment, reading).algorithms  # type: ignore[arg-type]
-        ours, whale = asdict(under["IWOA"]), asdict(under["WOA"])  # type: ignore[call-overload]
+        ours, whale = asdict(under["IWOA"]), asdict(under["WOA"])
 
         assert [ours[name] for name in SHARED] == [whale[name] for name in SHARED]
 
@@ -40,7 +40,7 @@ def test_the_compared_whale_stands_on_the_footing_of_iwoa_under_every_reading(
 def test_whales_follow_the_printed_equations_and_not_the_program() -> None:
     whale = BENCHMARK.algorithms["WOA"]
 
-    assert [asdict(whale)[name] for name in SHARED] == [  # type: ignore[call-overload]
+    assert [asdict(whale)[name] for name in SHARED] == [
         "scalar", "per whale", "symmetric", False, "clip",
     ]  # fmt: skip
     assert "WOA's program" in {reading.name for reading in SINGLE}

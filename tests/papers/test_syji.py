@@ -40,6 +40,7 @@ from repro.model import WOA_BY_VECTORS, Alternative, CellClaim, Claim, Sentence,
 from repro.robotics import quintic, septic
 from repro.robotics.fastest import fastest_joints
 from repro.robotics.fixed_penalties import cheapest
+from repro.robotics.polynomials import RestToRestLaw
 from tests.small_papers import evidence_of
 
 # Greatest |derivative| of s(τ) = 10τ³-15τ⁴+6τ⁵ and 35τ⁴-84τ⁵+70τ⁶-20τ⁷, by hand: s' and s''' turn
@@ -100,6 +101,7 @@ def test_cells_that_differ_have_the_explanations_of_the_errata() -> None:
     def cell(row: str, column: str) -> float:
         return TABLE_2[row, column].value
 
+    assert isinstance(SEVENTH.law, RestToRestLaw)
     forward = SEVENTH.law.polynomial.deriv(3)(np.linspace(0, 1, 100_001)).max()
     assert cell("1", "Maximum Jerk 7") == pytest.approx(forward * 45 / 5**3, abs=0.005)
     for name in ("Maximum velocity 7", "Maximum Jerk 7"):
