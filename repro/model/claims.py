@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
-from typing import Literal, TypeVar
+from typing import Literal, TypeVar, get_args
 
 from repro.errors import DeclarationError
 from repro.model.cell_measures import WORDS, is_printable, measure_of
@@ -123,6 +123,9 @@ def every_cell(
     of spread. A cell where any of its names is in `without` is left to that gap. Raises
     DeclarationError where a heading names nothing that the experiment has.
     """
+    if unknown := [r for r in (*rows, columns, *(given or {})) if r not in get_args(Role)]:
+        message = f"{table.label}: no role {unknown[0]!r}; there is {', '.join(get_args(Role))}"
+        raise DeclarationError(message)
     if len(rows) != len(table.headings):
         message = f"{table.label} has the row headings {table.headings}, not one per {rows}"
         raise DeclarationError(message)

@@ -1,13 +1,15 @@
 """What a paper module declares."""
 
+import re
 from collections import Counter
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, fields
 from typing import Any
 
 from repro.errors import DeclarationError
-from repro.model.claims import CellClaim, Claim, left_open
+from repro.model.claims import Claim, left_open
 from repro.model.experiment import Experiment
+from repro.model.faults import claim_faults, experiment_faults
 from repro.model.figures import Figure
 from repro.model.open_points import Erratum, Gap
 from repro.tables.published import PublishedTable
@@ -137,11 +139,37 @@ class Paper:
 
     def __post_init__(self) -> None:
         """Raise DeclarationError where parts of the declaration do not fit together."""
-        self._refuse_ambiguous_names()
-        self._refuse_unlisted_experiments()
-        self._refuse_unclaimed_cells()
-        self._refuse_readings_of_nothing()
-        self._refuse_idle_alternatives()
+        self._keep_tuples()
+        found = list(dict.fromkeys(self._faults()))
+        if found:
+            raise DeclarationError("\n".join(" ".join(fault.split()) for fault in found))
+
+    def _keep_tuples(self) -> None:
+        """Take lists, and whatever else can be walked through, where tuples are meant."""
+        for each in fields(self):
+            value = getattr(self, each.name)
+            if str(each.type).startswith("tuple[") and not isinstance(value, tuple):
+                try:
+                    object.__setattr__(self, each.name, tuple(value))
+                except TypeError:
+                    message = f"{self.key}, {each.name} is {value!r:.60}, not a tuple"
+                    raise DeclarationError(message) from None
+
+    def _faults(self) -> Iterator[str]:
+        """Yield every fault; what hangs on parts that are wrong is not looked at."""
+        if not re.fullmatch(r"\w[\w.-]*", str(self.key)):
+            yield f"the key {self.key!r} cannot name a file: give letters, digits and _"
+        yield from self._ambiguous_names()
+        own = [fault for each in self.experiments for fault in experiment_faults(each)]
+        yield from (f"{self.key}, {fault}" for fault in own)
+        if not own:
+            for claim in self.claims:
+                yield from (
+                    f"{self.key}, {fault}" for fault in claim_faults(claim, self.experiments)
+                )
+        yield from self._unclaimed_cells()
+        yield from self._readings_of_nothing()
+        yield from self._idle_alternatives()
 
     @property
     def said(self) -> tuple[Claim, ...]:
@@ -150,7 +178,7 @@ class Paper:
         gaps = [gap for gap in self.gaps if gap.result and gap not in carried]
         return (*self.claims, *map(left_open, gaps))
 
-    def _refuse_ambiguous_names(self) -> None:
+    def _ambiguous_names(self) -> Iterator[str]:
         names = [experiment.name for experiment in self.experiments]
         for experiment in self.experiments:
             for name in (experiment.name, *experiment.problems, *experiment.algorithms):
@@ -159,9 +187,9 @@ class Paper:
                         f"{self.key}, {name!r}: runs are named experiment/problem/algorithm, so a "
                         "name has no '/' and no two experiments share one"
                     )
-                    raise DeclarationError(message)
+                    yield message
 
-    def _refuse_readings_of_nothing(self) -> None:
+    def _readings_of_nothing(self) -> Iterator[str]:
         known = {(e.name, problem) for e in self.experiments for problem in e.problems}
         for reading in self.motion_readings:
             if reading.of not in known:
@@ -170,9 +198,9 @@ class Paper:
                     f"{self.key}, reading {reading.name!r}: no problem {'/'.join(reading.of)}; "
                     f"problems: {names}"
                 )
-                raise DeclarationError(message)
+                yield message
 
-    def _refuse_idle_alternatives(self) -> None:
+    def _idle_alternatives(self) -> Iterator[str]:
         declared = [
             alternative
             for assumption in self.assumptions
@@ -183,45 +211,30 @@ class Paper:
             place = f"{self.key}, alternative {alternative.says!r}"
             if bool(alternative.untried) == alternative.changes:
                 message = f"{place} needs either something that it changes, or why it is not tried"
-                raise DeclarationError(message)
+                yield message
             if alternative.changes and (not alternative.name or "/" in alternative.name):
                 message = f"{place} needs a name without '/', not {alternative.name!r}"
-                raise DeclarationError(message)
+                yield message
             if alternative.changes and names[alternative.name] > 1:
                 message = f"{place}: another alternative has the name {alternative.name!r} too"
-                raise DeclarationError(message)
-            self._refuse_changes_of_nothing(place, alternative)
+                yield message
+            yield from self._changes_of_nothing(place, alternative)
         if unknown := set(self.together) - set(names):
             message = f"{self.key}, together: no alternatives {sorted(unknown)}; {sorted(names)}"
-            raise DeclarationError(message)
+            yield message
 
-    def _refuse_changes_of_nothing(self, place: str, alternative: Alternative) -> None:
+    def _changes_of_nothing(self, place: str, alternative: Alternative) -> Iterator[str]:
         known = {(e.name, name) for e in self.experiments for name in (*e.problems, *e.algorithms)}
         for pair in (*alternative.algorithms, *alternative.problems):
             if pair not in known:
                 message = f"{place}: no {'/'.join(pair)}; there is {sorted(known)}"
-                raise DeclarationError(message)
+                yield message
         for name in alternative.protocol:
             if name not in {e.name for e in self.experiments}:
                 message = f"{place}: no experiment {name!r}"
-                raise DeclarationError(message)
+                yield message
 
-    def _refuse_unlisted_experiments(self) -> None:
-        known = {
-            (e.name, problem, algorithm)
-            for e in self.experiments
-            for problem in e.problems
-            for algorithm in e.algorithms
-        }
-        for claim in self.claims:
-            for cell in claim.measure.cells() if claim.measure and not claim.gap else ():
-                if cell not in known:
-                    place = claim.where if isinstance(claim, CellClaim) else claim.claim
-                    names = ", ".join(sorted({name for name, *_ in known}))
-                    message = f"{self.key}, {place}: no runs {'/'.join(cell)}; experiments: {names}"
-                    raise DeclarationError(message)
-
-    def _refuse_unclaimed_cells(self) -> None:
+    def _unclaimed_cells(self) -> Iterator[str]:
         claimed = Counter(claim.place for claim in self.claims)
         for table in self.results:
             for row, column in table.places():
@@ -230,4 +243,4 @@ class Paper:
                         f"{self.key}, {table.label}: cell ({row}, {column}) has {times or 'no'} "
                         f"claim{'s' * (times > 1)}"
                     )
-                    raise DeclarationError(message)
+                    yield message
