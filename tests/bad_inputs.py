@@ -145,7 +145,7 @@ DECLARATIONS: dict[str, tuple[Callable[[], object], str]] = {
     ),
     "unclaimed cell": (lambda: paper(claims=CLAIMS[1:]), "cell (bowl mean, guess) has no claim"),
     "cell claimed twice": (lambda: paper(claims=(*CLAIMS, CLAIMS[0])), "has 2 claims"),
-    "runs of nothing": (lambda: paper(experiments=()), "no runs search/bowl/guess; experiments:"),
+    "runs of nothing": (lambda: paper(experiments=()), "no experiment 'search'; there is none"),
     "reading of nothing": (
         lambda: paper(
             motion_readings=(MotionReading(name="r", of=("no", "where"), problem=Bowl()),)

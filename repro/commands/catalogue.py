@@ -118,8 +118,9 @@ def _of_key(key: str, here: Sequence[Declared | Failed]) -> Declared | Failed:
     hint = f"; did you mean {near[0]}?" if near else ""
     message = (
         f"unknown paper {key!r}; known: {', '.join(keys)}{hint} (looked for in "
-        f"{', '.join(folders())} and in the entry points {GROUP!r}; a file is named by its path, "
-        f"as in ./{key}.py or ./{key}/)"
+        f"{', '.join(folders())} and in the entry points {GROUP!r}; "
+        "a file or folder is named by its path, "
+        "as in ./mine.py)"
     )
     raise InputError(message)
 

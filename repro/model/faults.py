@@ -19,6 +19,19 @@ _COUNTS = ("population", "iterations", "runs")
 _DEPTH = 8  # measures of measures
 
 
+def shown_value(value: object) -> str:
+    """Return a value on one line, cut where it is long."""
+    return " ".join(f"{value!r:.60}".split())
+
+
+def text_faults(place: str, of: object, names: Iterable[str]) -> Iterator[str]:
+    """Yield the texts that are none, or empty."""
+    for name in names:
+        value = getattr(of, name)
+        if not isinstance(value, str) or not value.strip():
+            yield f"{place}, {name} is {shown_value(value)}; it must be a text"
+
+
 def experiment_faults(experiment: Experiment) -> Iterator[str]:
     """Yield what is wrong with an experiment by itself."""
     name = f"experiment {experiment.name!r}"
@@ -26,6 +39,9 @@ def experiment_faults(experiment: Experiment) -> Iterator[str]:
         yield from _count_faults(f"{name}, {count}", getattr(experiment, count))
     if experiment.evaluations is not None:
         yield from _count_faults(f"{name}, evaluations", experiment.evaluations)
+    for kind in ("problems", "algorithms"):
+        if not getattr(experiment, kind):
+            yield f"{name} has no {kind}: leave out an experiment that runs nothing"
     if experiment.algorithms and experiment.proposed not in experiment.algorithms:
         known = _known(experiment.proposed, experiment.algorithms)
         yield f"{name}, proposed: {experiment.proposed!r} is no algorithm of it; {known}"

@@ -7,9 +7,9 @@ from dataclasses import dataclass, field, fields
 from typing import Any
 
 from repro.errors import DeclarationError
-from repro.model.claims import Claim, left_open
+from repro.model.claims import CellClaim, Claim, Sentence, left_open
 from repro.model.experiment import Experiment
-from repro.model.faults import claim_faults, experiment_faults
+from repro.model.faults import claim_faults, experiment_faults, shown_value, text_faults
 from repro.model.figures import Figure
 from repro.model.open_points import Erratum, Gap
 from repro.tables.published import PublishedTable
@@ -122,13 +122,13 @@ class Paper:
     key: str
     source: Source
     summary: str
-    experiments: tuple[Experiment, ...]
-    inputs: tuple[PublishedTable, ...]
-    results: tuple[PublishedTable, ...]
-    claims: tuple[Claim, ...]
-    assumptions: tuple[Assumption, ...]
-    errata: tuple[Erratum, ...]
-    gaps: tuple[Gap, ...]
+    experiments: tuple[Experiment, ...] = ()
+    inputs: tuple[PublishedTable, ...] = ()
+    results: tuple[PublishedTable, ...] = ()
+    claims: tuple[Claim, ...] = ()
+    assumptions: tuple[Assumption, ...] = ()
+    errata: tuple[Erratum, ...] = ()
+    gaps: tuple[Gap, ...] = ()
     formulas: tuple[Formula, ...] = ()
     figures: tuple[Figure, ...] = ()
     relations: tuple[Relation, ...] = ()
@@ -140,7 +140,7 @@ class Paper:
     def __post_init__(self) -> None:
         """Raise DeclarationError where parts of the declaration do not fit together."""
         self._keep_tuples()
-        found = list(dict.fromkeys(self._faults()))
+        found = list(self._strangers()) or list(dict.fromkeys(self._faults()))
         if found:
             raise DeclarationError("\n".join(" ".join(fault.split()) for fault in found))
 
@@ -154,6 +154,27 @@ class Paper:
                 except TypeError:
                     message = f"{self.key}, {each.name} is {value!r:.60}, not a tuple"
                     raise DeclarationError(message) from None
+
+    def _strangers(self) -> Iterator[str]:
+        """Yield what is not of the kind that its place is for."""
+        kinds: dict[str, type | tuple[type, ...]] = {
+            "experiments": Experiment, "inputs": PublishedTable, "results": PublishedTable,
+            "claims": (CellClaim, Sentence), "assumptions": Assumption, "errata": Erratum,
+            "gaps": Gap, "formulas": Formula, "motion_readings": MotionReading, "together": str,
+        }  # fmt: skip
+        for name, kind in kinds.items():
+            for k, each in enumerate(getattr(self, name), start=1):
+                if not isinstance(each, kind):
+                    yield f"{self.key}, {name} {k}: {shown_value(each)} is no {_words(kind)}"
+        if not isinstance(self.source, Source):
+            yield f"{self.key}, source: {shown_value(self.source)} is no Source"
+        else:
+            yield from text_faults(f"{self.key}, source", self.source, ("authors", "title"))
+        if not isinstance(self.summary, str):
+            yield f"{self.key}, summary is {shown_value(self.summary)}; it must be a text"
+        for table, times in Counter(each for each in (*self.inputs, *self.results)).items():
+            if times > 1:
+                yield f"{self.key}: the table {table.label!r} is listed {times} times"
 
     def _faults(self) -> Iterator[str]:
         """Yield every fault; what hangs on parts that are wrong is not looked at."""
@@ -244,3 +265,8 @@ class Paper:
                         f"claim{'s' * (times > 1)}"
                     )
                     yield message
+
+
+def _words(kind: type | tuple[type, ...]) -> str:
+    kinds = kind if isinstance(kind, tuple) else (kind,)
+    return " or ".join(each.__name__ for each in kinds)

@@ -26,6 +26,7 @@ def test_listing_counts_runs_done_and_missing(tmp_path: Path) -> None:
             "algorithms": ["guess", "wide"],
             "done": 6,
             "missing": 12,
+            "changed": [],
         }
     ]
 
