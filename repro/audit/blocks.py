@@ -113,6 +113,7 @@ def blocks(paper: Paper) -> tuple[Block, ...]:
             cells={name: claim.cell for name, claim in claims.items()},
             scientific=is_scientific(next(iter(claims.values())).table),
             function=_bounds(experiments[experiment].problems.get(problem), quantity),
+            maximise=experiments[experiment].maximise and quantity == "cost",
         )
         for (_, experiment, problem, algorithm, quantity), claims in found.items()
     )

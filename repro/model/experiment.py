@@ -14,7 +14,9 @@ class Experiment:
     `proposed` is the algorithm that the paper puts forward; the others are compared with it. Where
     `evaluations` is given, it is the budget of a run in place of the iterations. Runs draw the
     random numbers of the runs of `drawn_as`, an experiment's name, where one is given. An algorithm
-    that is a callable f(cost, bounds, budget, rng) -> x is kept as an `OwnSearch` of it.
+    that is a callable f(cost, bounds, budget, rng) -> x is kept as an `OwnSearch` of it. Where the
+    paper's tables call the greatest cost the best, they `maximise`: the audit reads them so; runs
+    minimise all the same.
     """
 
     name: str
@@ -27,6 +29,7 @@ class Experiment:
     runs: int
     evaluations: int | None = None
     drawn_as: str = ""
+    maximise: bool = False
 
     def __post_init__(self) -> None:
         """Raise DeclarationError for an algorithm that is no search."""

@@ -3,6 +3,7 @@ from dataclasses import replace
 from repro.audit.blocks import blocks
 from repro.model.claims import every_cell
 from repro.model.tolerances import Absolute
+from repro.tables.checks import rows_of_blocks
 from repro.tables.published import PublishedTable
 from tests.small_papers import EXPERIMENT, PAPER
 
@@ -24,3 +25,23 @@ def test_counts_and_ranks_of_runs_are_no_costs_of_a_block() -> None:
     found = blocks(replace(PAPER, results=(TABLE,), claims=claims))
 
     assert [set(block.cells) for block in found] == [{"mean", "median"}] * 2
+
+
+MAXIMISED = PublishedTable.read("""
+    Table 2, p. 3
+    problem | statistic || guess | wide
+    bowl    | best      || 1190  | 1180
+            | mean      || 1184  | 1170
+            | worst     || 1175  | 1160
+""")
+
+
+def test_a_true_table_of_maximised_costs_raises_no_alarm_where_its_experiment_says_so() -> None:
+    told = replace(EXPERIMENT, maximise=True)
+    claims = every_cell(
+        MAXIMISED, of=told, rows=("problem", "statistic"), columns="algorithm", within=Absolute(0)
+    )
+
+    found = blocks(replace(PAPER, experiments=(told,), results=(MAXIMISED,), claims=claims))
+
+    assert list(rows_of_blocks("small", found)) == []
