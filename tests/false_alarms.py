@@ -25,6 +25,7 @@ from repro.tables.rows import AuditRow, Grade
 Vector = NDArray[Any]
 PAGE = pathlib.Path(__file__).parents[1] / "docs" / "false_alarms.md"
 TABLES = 100_000
+MOST = 2**24  # whole numbers below it are exact in single precision
 PLANTED = 300  # errors per kind and set of statistics
 SETS = (
     ("mean", "std"),
@@ -32,7 +33,7 @@ SETS = (
     ("best", "mean", "worst", "std"),
     ("best", "mean", "median", "worst", "std"),
 )
-PRINTS = ("scientific", "fixed", "four digits of R", "cut off", "mixed digits")
+PRINTS = ("scientific", "fixed", "four digits of R", "cut off", "mixed digits", "rounded twice")
 ERRORS = (
     *("a digit of the mean", "mean and worst exchanged", "std × 10", "std × 100", "std / 10"),
     *("std / 100", "sign of the mean", "exponent of the mean lost", "variance for std"),
@@ -99,12 +100,16 @@ def text(value: float, how: str, digits: int) -> str:
         return f"{value:.{digits}f}"
     if how == "four digits of R":
         return f"{float(f'{value:.3e}'):.15g}"
+    if how == "rounded twice":
+        value = float(f"{value:.{digits}e}")
     rounding = ROUND_DOWN if how == "cut off" else ROUND_HALF_EVEN
     number = Context(prec=digits, rounding=rounding).create_decimal(Decimal(value))
     return f"{number:.{digits - 1}e}"
 
 
-def block_of(texts: dict[str, str], n: int, *, floor: bool, maximise: bool = False) -> Block:
+def block_of(
+    texts: dict[str, str], n: int, *, floor: bool, maximise: bool = False, whole: bool = False
+) -> Block:
     """Return the block that a table with these texts is read as."""
     return Block(
         problem_name="F1",
@@ -115,6 +120,7 @@ def block_of(texts: dict[str, str], n: int, *, floor: bool, maximise: bool = Fal
         scientific=any("e" in each for each in texts.values()),
         function=known_minimum("an error", Fraction(0)) if floor else None,
         maximise=maximise,
+        whole_numbers=whole,
     )
 
 
@@ -126,6 +132,9 @@ def cell(printed: str, *, column: str) -> PlacedNumber:
 def true_table(rng: np.random.Generator, names: tuple[str, ...] | None = None) -> Table:
     """Return a table of a real sample, through a pipeline drawn at random."""
     runs = sample(rng)
+    if rng.random() < 0.3:  # as a table of sorted runs is summed
+        runs = np.sort(runs)
+    whole = bool(np.all(runs == np.floor(runs)) and abs(runs).max() < MOST)
     single, one_pass, maximise, reverse = (bool(each) for each in rng.integers(0, 2, 4))
     how, digits = PRINTS[int(rng.integers(len(PRINTS)))], int(rng.integers(2, 9))
     ddof = int(rng.integers(0, 2))
@@ -145,7 +154,7 @@ def true_table(rng: np.random.Generator, names: tuple[str, ...] | None = None) -
         f"{'single' if single else 'double'}, {'one' if one_pass else 'two'} pass, {how}"
         f"{', maximised' if maximise else ''}"
     )
-    block = block_of(texts, len(runs), floor=floor, maximise=maximise)
+    block = block_of(texts, len(runs), floor=floor, maximise=maximise, whole=whole)
     return Table(block=block, pipeline=words, runs=runs)
 
 
@@ -246,8 +255,9 @@ def page(count: Counter[str], errors: int) -> str:
         "",
         f"Of {count['tables']:,} true tables (heavy tails, zeros, floors, equal runs, whole",
         "numbers; single and double precision, one and two passes, n and n − 1, rounded, cut off,",
-        "R's four digits, mixed digits, fixed decimals, powers of ten, both senses, tied ranks,",
-        f"success rates), {count['impossible']} are called impossible without a condition,",
+        "R's four digits, rounded twice, mixed digits, fixed decimals, powers of ten, both senses,",
+        f"sorted runs, tied ranks, success rates), {count['impossible']} are called impossible",
+        "without a condition,",
         f"{count['inconsistent']} inconsistent, and {count['with a condition']} impossible under a",
         "condition that is said, such as double precision.",
         "",

@@ -123,12 +123,7 @@ def every_cell(
     of spread. A cell where any of its names is in `without` is left to that gap. Raises
     DeclarationError where a heading names nothing that the experiment has.
     """
-    if unknown := [r for r in (*rows, columns, *(given or {})) if r not in get_args(Role)]:
-        message = f"{table.label}: no role {unknown[0]!r}; there is {', '.join(get_args(Role))}"
-        raise DeclarationError(message)
-    if len(rows) != len(table.headings):
-        message = f"{table.label} has the row headings {table.headings}, not one per {rows}"
-        raise DeclarationError(message)
+    _check_roles(table, rows, (columns, *(given or {})))
     claims = []
     left = without or {}
     headings_of = dict(zip(table.row_names, table.rows, strict=True))
@@ -144,6 +139,15 @@ def every_cell(
             cell = TableCell(table=table, row=row, column=column)
             claims.append(_measured_cell(cell, own, of, accepted=accepted, gap=gap))
     return tuple(claims)
+
+
+def _check_roles(table: PublishedTable, rows: tuple[Role, ...], others: tuple[Role, ...]) -> None:
+    if unknown := [role for role in (*rows, *others) if role not in get_args(Role)]:
+        message = f"{table.label}: no role {unknown[0]!r}; there is {', '.join(get_args(Role))}"
+        raise DeclarationError(message)
+    if len(rows) != len(table.headings):
+        message = f"{table.label} has the row headings {table.headings}, not one per {rows}"
+        raise DeclarationError(message)
 
 
 def _cell_claim(cell: TableCell, measure: Measure, accepted: Tolerance) -> CellClaim:
