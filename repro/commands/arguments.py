@@ -19,6 +19,8 @@ _TEXTS = {
     "report": "write pages from the store, run nothing",
     "list": "papers, experiments, tables, runs done and missing",
     "compare": "run a search of your own on every problem and write a private report",
+    "new": "write a module and its prose to fill in: KEY.py and KEY.toml",
+    "check": "what a paper must satisfy, and what this house asks besides",
     "again": "run one printed number again",
     "audit": "what the printed tables say about themselves",
     "certify": "proved minima of the motion problems",
@@ -65,6 +67,8 @@ def _add_names(parsers: Mapping[str, argparse.ArgumentParser]) -> None:
     )
     for name in ("reproduce", "report", "list", "compare", "audit", "certify", "references"):
         parsers[name].add_argument("keys", nargs="*", metavar="PAPER", help=_PAPERS)
+    parsers["new"].add_argument("key", metavar="KEY", help="names the paper: its author and year")
+    parsers["check"].add_argument("keys", nargs="+", metavar="PAPER", help=_PAPER)
     parsers["compare"].add_argument("--name", help="what the pages call it (default: OBJECT)")
     again, verify, flips = parsers["again"], parsers["verify"], parsers["flips"]
     again.add_argument("keys", nargs=1, metavar="PAPER", help=_PAPER)

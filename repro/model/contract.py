@@ -1,0 +1,72 @@
+"""What any paper must satisfy beyond loading, and what the papers of this house have besides."""
+
+from collections import Counter
+from collections.abc import Iterable, Iterator
+
+from repro.model.claims import CellClaim
+from repro.model.paper import Assumption, Paper
+
+
+def contract_faults(paper: Paper) -> Iterator[str]:
+    """Yield what no paper may do, a line each."""
+    tables = (*paper.inputs, *paper.results)
+    for label, times in Counter(table.label for table in tables).items():
+        if times > 1:
+            yield f"{times} tables are called {label!r}: a label names one table"
+    for table in tables:
+        if table.where == table.label:
+            yield f"{table.label}: it does not say where it stands, as in '{table.label}, p. 3'"
+    yield from _without_a_place(paper)
+    for assumption in paper.assumptions:
+        yield from _of_a_choice(assumption)
+    for what, because in (
+        *((f"erratum {each.printed!r}", each.because) for each in paper.errata),
+        *((f"gap {each.what!r}", each.because) for each in paper.gaps),
+    ):
+        if not because.strip():
+            yield f"{what}: it has no reason (because)"
+    for claim in paper.claims:
+        if not isinstance(claim, CellClaim) and claim.gap and claim.gap not in paper.gaps:
+            yield f"{claim.claim}: its gap {claim.gap.what!r} is not among the paper's gaps"
+
+
+def house_notes(paper: Paper) -> Iterator[str]:
+    """Yield what papers of this house have and this one lacks: no fault of a paper from outside."""
+    if not paper.read_twice and not paper.control:
+        yield "its tables were not transcribed a second time, blind (read_twice)"
+    if len(paper.together) not in {2, 3} and not paper.control:
+        yield "no two or three alternatives are tried together (together)"
+    if not paper.source.doi and not paper.source.note:
+        yield "its source has neither a DOI nor a note on why there is none"
+    if not paper.formulas:
+        yield "no equation that the re-run follows is listed ([[formula]])"
+
+
+def _without_a_place(paper: Paper) -> Iterator[str]:
+    declared: dict[str, Iterable[tuple[str, str]]] = {
+        "experiment": ((each.name, each.where) for each in paper.experiments),
+        "assumption": ((each.what, each.where) for each in paper.assumptions),
+        "erratum": ((each.printed, each.where) for each in paper.errata),
+        "gap": ((each.what, each.where) for each in paper.gaps),
+        "sentence": (
+            (each.claim, each.where) for each in paper.claims if not isinstance(each, CellClaim)
+        ),
+    }
+    for kind, several in declared.items():
+        for name, where in several:
+            if not where.strip():
+                yield f"{kind} {name!r}: it does not say where it stands in the paper (where)"
+
+
+def _of_a_choice(assumption: Assumption) -> Iterator[str]:
+    place = f"assumption {assumption.what!r}"
+    says = [alternative.says for alternative in assumption.alternatives]
+    if not assumption.because.strip():
+        yield f"{place}: it has no reason (because)"
+    if not assumption.chosen.strip():
+        yield f"{place}: it does not say what was chosen"
+    if assumption.chosen in says:
+        yield f"{place}: {assumption.chosen!r} is both chosen and an alternative"
+    for text, times in Counter(says).items():
+        if times > 1 or not text.strip():
+            yield f"{place}: the alternative {text!r} stands there {times} times"

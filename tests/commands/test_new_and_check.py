@@ -1,0 +1,60 @@
+import sys
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from repro.__main__ import main
+from tests.small_papers import PAPER, let_be_known
+
+Run = Callable[..., tuple[int, str, str]]
+
+
+@pytest.fixture
+def run(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> Iterator[Run]:
+    """Yield what runs a command in an empty folder and returns exit code, output and errors."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(sys, "path", [*sys.path])
+
+    def command(*arguments: str) -> tuple[int, str, str]:
+        return (main(arguments), *capsys.readouterr())
+
+    yield command
+    sys.modules.pop("roe2030", None)
+
+
+def test_what_new_writes_runs_as_it_stands(run: Run) -> None:
+    assert run("new", "roe2030")[0] == 0
+
+    assert run("reproduce", "./roe2030.py", "--repeats", "1")[0] == 0
+    assert Path("reports/roe2030.html").exists()
+    assert run("audit", "./roe2030.py")[:2] == (
+        0, "roe2030: nothing found in 4 numbers of 1 tables\n",
+    )  # fmt: skip
+    assert run("certify", "./roe2030.py")[:2] == (0, "roe2030: no motion, nothing to certify\n")
+    code, out, _ = run("check", "./roe2030.py")
+    assert (code, out.splitlines()[0]) == (0, "roe2030: all that a paper must satisfy holds")
+
+
+def test_new_overwrites_nothing_and_takes_names_of_modules_alone(run: Run) -> None:
+    Path("roe2030.toml").write_text("mine")
+
+    assert run("new", "roe2030")[0] == 2
+    for key in ("a-b", "../x", "class", "", "2x"):
+        code, _, err = run("new", key)
+        assert (code, err.count("\n")) == (2, 1)
+    assert [path.name for path in Path().iterdir()] == ["roe2030.toml"]
+    assert Path("roe2030.toml").read_text() == "mine"
+
+
+def test_check_exits_with_1_on_what_no_paper_may_do(
+    run: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    let_be_known(monkeypatch, replace(PAPER, inputs=(replace(PAPER.results[0], where="Table 1"),)))
+
+    code, out, _ = run("check", PAPER.key)
+
+    assert (code, "2 tables are called 'Table 1'" in out) == (1, True)
