@@ -17,8 +17,8 @@ def paragraph(table: AuditedTable) -> str:
         (guess.says.removeprefix(n) for guess in table.guesses if guess.says.startswith(n)), ""
     )
     read = (
-        f"{table.file}, {table.label}: checked {table.cells} of {table.cells + skipped} numbers in "
-        f"{table.blocks} block{'s' * (table.blocks != 1)}; {skipped} skipped; {n}{origin}; "
+        f"{table.file}, {table.label}: checked {table.checked} of {table.cells + skipped} numbers "
+        f"in {table.blocks} block{'s' * (table.blocks != 1)}; {skipped} skipped; {n}{origin}; "
     )
     proofs = table.proofs
     if not proofs:

@@ -8,11 +8,13 @@ from typing import Any
 from repro.tables.arithmetic import IN_DOUBLES, joined
 from repro.tables.audit_options import AuditOptions, Guess
 from repro.tables.blocks import Block, FunctionBounds
-from repro.tables.checks import block_rows
+from repro.tables.checks import block_rows, fact_rows
+from repro.tables.facts import Fact
 from repro.tables.gathered import Entry, Gathered, Skipped, gathered, numbered
 from repro.tables.grids import Grid
 from repro.tables.guesses import guess_lines, guessed_runs, is_maximised
 from repro.tables.possible_runs import TRIED, least_runs, rows_at_any_number
+from repro.tables.read_facts import facts_of, places_of
 from repro.tables.repeats import repeat_rows
 from repro.tables.rows import AuditRow
 from repro.tables.texts import Form, tables_in
@@ -33,6 +35,7 @@ class AuditedTable:
     label: str
     grid: Grid
     cells: int
+    checked: int
     blocks: int
     runs: int | None
     skipped: tuple[Skipped, ...]
@@ -91,6 +94,8 @@ def _audited(
     blocks = [
         block for part in parts if (block := _block(part, runs, options, maximised=maximised))
     ]
+    own = {(b.problem_name, b.algorithm): b for b in blocks if b.quantity == "cost"}
+    facts = facts_of(table, own, options, runs, maximised=maximised)
     told = [guess] if guess else []
     open_n = list(_possible(blocks)) if runs is None else []
     return AuditedTable(
@@ -98,11 +103,12 @@ def _audited(
         label=table.label,
         grid=grid,
         cells=len(table.entries),
+        checked=_checked(blocks, facts),
         blocks=len(blocks),
         runs=runs,
         skipped=table.skipped,
         guesses=(*told, *open_n, *guess_lines(table, options, maximised=maximised)),
-        rows=tuple(_in_precision(_rows(file, blocks, runs), options.precision)),
+        rows=tuple(_in_precision(_rows(file, blocks, facts, runs), options.precision)),
         places={(e.number.row, e.number.column): (e.i, e.j) for e in table.entries},
     )
 
@@ -169,12 +175,25 @@ def _floor(minimum: Fraction, title: str) -> FunctionBounds:
     )
 
 
-def _rows(file: str, blocks: Sequence[Block], runs: int | None) -> Iterator[AuditRow]:
+def _checked(blocks: Sequence[Block], facts: Sequence[Fact]) -> int:
+    """Return how many numbers a check looks at."""
+    cells = [
+        (cell.row, cell.column, cell.printed.text) for b in blocks for cell in b.cells.values()
+    ]
+    cells += [(c.row, c.column, c.printed.text) for fact in facts for c in places_of(fact)]
+    return len(set(cells))
+
+
+def _rows(
+    file: str, blocks: Sequence[Block], facts: Sequence[Fact], runs: int | None
+) -> Iterator[AuditRow]:
     for block in blocks:
         if runs is not None:
             yield from block_rows(file, block)
         else:
             yield from rows_at_any_number(block, lambda b: list(block_rows(file, b)))
+    for fact in facts:
+        yield from fact_rows(file, fact)
     yield from repeat_rows(file, blocks)
 
 

@@ -1,5 +1,6 @@
 """The numbers of a table by problem, algorithm and statistic."""
 
+import re
 from collections import Counter, defaultdict
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -24,10 +25,14 @@ OF_RUNS = frozenset(
     ("best", "mean", "median", "worst", "std", "lowest", "highest", "variance", "sem", "q1", "q3")
 )
 BESIDE = frozenset(
-    ("rank", "average rank", "total rank", "wins", "p-value", "z", "h", "success rate", "time")
+    (
+        *("rank", "average rank", "total rank", "wins", "ties", "losses", "p-value", "z", "h"),
+        *("success rate", "time"),
+    )
 )
 VALUE = "value"  # the statistic of a number that no heading names one for
 _MOST_RANKS = 40
+_TALLY = re.compile(r"\(?\s*([0-9]{1,4})\s*[/|]\s*([0-9]{1,4})\s*[/|]\s*([0-9]{1,4})\s*\)?")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -192,14 +197,24 @@ def _read(each: _Named, label: str, second: str) -> Iterator[Entry | Skipped]:
     if pair := _pair(each):
         yield _entry(each, label, pair[0], first or "mean")
         yield _entry(each, label, pair[1], then)
+    elif first == "wins" and (counts := _TALLY.fullmatch(text)):
+        for name, count in zip(_tally_order(each), counts.groups(), strict=True):
+            yield _entry(each, label, count, name)
     elif first == "wins":
-        yield _skipped(cell, "wins, ties and losses are counts of problems", label)
+        yield _skipped(cell, "it is no count of wins, ties and losses", label)
     elif inner and first in {"", "mean", "median", "best"} and not _refused(inner):
         yield _entry(each, label, inner, then)
     elif reason := _refused(cell.text):
         yield _skipped(cell, reason, label)
     else:
         yield _entry(each, label, cell.text, first or VALUE)
+
+
+def _tally_order(each: _Named) -> tuple[str, str, str]:
+    """Return which count stands where, by the heading: ties last, or between."""
+    names = [label.text for label in (*each.cell.row, *each.cell.column)]
+    last = any(re.search(r"/\s*(?:[=≈~]|[td]\w*)\s*\)?$", name, re.IGNORECASE) for name in names)
+    return ("wins", "losses", "ties") if last else ("wins", "ties", "losses")
 
 
 def _pair(each: _Named) -> tuple[str, str] | None:

@@ -64,9 +64,9 @@ def guess_lines(table: Gathered, options: AuditOptions, *, maximised: bool) -> I
     values = sum(entry.statistic == VALUE for entry in table.entries)
     if values:
         yield Guess(says=f"no heading names a statistic for {values} numbers: they are not checked")
-    for name in ("significant", "test", "sided", "alpha", "ties"):
-        if getattr(options, name) is not None:
-            yield Guess(says=f"{name} is told, but no check of a file uses it yet", option=name)
+    if options.significant is not None:
+        says = "significant is told; whole numbers may be rounded to three digits anyway"
+        yield Guess(says=says, option="significant")
     yield _sense(options, maximised=maximised)
     if any(entry.statistic == "std" for entry in table.entries) and options.spread is None:
         yield Guess(

@@ -15,7 +15,8 @@ def test_single_precision_takes_back_what_needs_doubles() -> None:
     assert len(double.rows) == len(open_one.rows)
 
 
-def test_option_that_no_check_uses_says_so() -> None:
-    (found,) = audit_text(ZERO_SPREAD, AuditOptions(runs=2, alpha=0.01))
+def test_digits_that_are_told_change_nothing_and_it_is_said() -> None:
+    (found,) = audit_text(ZERO_SPREAD, AuditOptions(runs=2, significant=4))
 
-    assert "alpha is told, but no check of a file uses it yet" in [g.says for g in found.guesses]
+    says = "significant is told; whole numbers may be rounded to three digits anyway"
+    assert says in [guess.says for guess in found.guesses]

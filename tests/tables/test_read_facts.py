@@ -1,0 +1,78 @@
+import pytest
+
+from repro.tables.audit_options import AuditOptions
+from repro.tables.audit_words import paragraph
+from repro.tables.auditing import AuditedTable, audit_text
+
+TALLIES = """
+Results on 26 functions
+
+| Function | PSO | GWO |
+|---|---|---|
+| F1 mean | 1.0 | 2.0 |
+| +/=/- | {first} | 17/2/7 |
+"""
+RANKS = """
+Function,PSO rank,GWO rank,WOA rank
+F1,1,2,3
+F2,1,3,2
+F3,2,1,3
+Total rank,{total},6,8
+Average rank,1.33,{mean},2.67
+"""
+TESTS = """
+Function,p-value,h
+F1,{p},0
+F2,0.2,0
+F3,0.001,1
+"""
+RATES = """
+"Table 2: 50 runs, success threshold 1e-4"
+Function,Mean,Std,SR [%]
+F1,{mean},1e-6,100
+F2,1e-3,1e-3,{rate}
+"""
+
+
+def audited(text: str, **told: str) -> AuditedTable:
+    (table,) = audit_text(text.format(**told), AuditOptions())
+    return table
+
+
+@pytest.mark.parametrize(
+    ("text", "right", "wrong", "says"),
+    [
+        (TALLIES, {"first": "17/2/7"}, {"first": "17/2/9"}, "17 + 2 + 9 = 28, for 26 problems"),
+        (RANKS, {"total": "4", "mean": "2.00"}, {"total": "5", "mean": "2.00"}, "sum 4"),
+        (RANKS, {"total": "4", "mean": "2.00"}, {"total": "4", "mean": "2.33"}, "2.33"),
+        (TESTS, {"p": "0.06"}, {"p": "0.022972544"}, "is not rejected"),
+        (
+            RATES,
+            {"mean": "1e-6", "rate": "34"},
+            {"mean": "9.32e+03", "rate": "34"},
+            "at most 0.0001",
+        ),
+        (RATES, {"mean": "1e-6", "rate": "34"}, {"mean": "1e-6", "rate": "33.0"}, "33.0"),
+    ],
+)
+def test_what_stands_beside_the_statistics_is_checked(
+    text: str, right: dict[str, str], wrong: dict[str, str], says: str
+) -> None:
+    assert audited(text, **right).rows == ()
+
+    rows = audited(text, **wrong).rows
+
+    assert [says in row.explanation for row in rows] == [True]
+
+
+def test_a_tally_of_more_problems_than_a_part_of_a_table_shows_is_no_contradiction() -> None:
+    part = TALLIES.replace("on 26 functions", "in part")
+
+    assert audited(part, first="17/2/9").rows == ()
+
+
+def test_only_numbers_that_a_check_looks_at_count_as_checked() -> None:
+    table = audited(TESTS.replace("h\n", "time\n"), p="0.2")
+
+    assert (table.cells, table.checked) == (6, 3)
+    assert "checked 3 of 6 numbers" in paragraph(table)
