@@ -6,7 +6,7 @@ project_copyright = author
 html_title = "repro"
 
 extensions = ["myst_parser", "sphinx.ext.autodoc"]
-exclude_patterns = ["_build", "pyodide/node_modules"]
+exclude_patterns = ["examples", "_build", "pyodide/node_modules"]
 default_role = "code"
 myst_heading_anchors = 3
 
