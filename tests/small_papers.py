@@ -188,7 +188,7 @@ from tests.small_papers import Guessing
 
 QUICK, LONG = Guessing(), {{"compiled": WOA(), "plain": Telling(seconds=600.0)}}
 SHORT = replace(on_rosenbrock(quick=QUICK).experiments[0], name="short", runs=3)
-ENDLESS = replace(SHORT, name="endless", algorithms={{"long": LONG["{search}"]}})
+ENDLESS = replace(SHORT, name="endless", algorithms={{"long": LONG["{search}"]}}, proposed="long")
 ENDLESS = replace(ENDLESS, population=1000, iterations=10**6)
 PAPER = replace(on_rosenbrock(quick=QUICK), key="endless2021", experiments=(SHORT, ENDLESS))
 """

@@ -55,7 +55,13 @@ SLOPE = BoxProblem(cost=slope, box=[(0.001, 1.0)] * 3)
 def tasks(problem: Any = SLOPE, **algorithms: Any) -> tuple[Task, ...]:  # noqa: ANN401
     """Return three runs of each search on a problem."""
     paper = searching()
-    experiment = replace(EXPERIMENT, problems={"p": problem}, algorithms=algorithms, runs=3)
+    experiment = replace(
+        EXPERIMENT,
+        problems={"p": problem},
+        algorithms=algorithms,
+        runs=3,
+        proposed=next(iter(algorithms)),
+    )
     return plan([replace(paper, experiments=(experiment,))], 1)
 
 

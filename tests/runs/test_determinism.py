@@ -56,7 +56,9 @@ def everything() -> Paper:
         for name, function in FUNCTIONS.items()
     }
     algorithms = {type(algorithm).__name__: algorithm for algorithm in ALGORITHMS}
-    experiment = replace(EXPERIMENT, problems=problems, algorithms=algorithms)
+    experiment = replace(
+        EXPERIMENT, problems=problems, algorithms=algorithms, proposed=next(iter(algorithms))
+    )
     return replace(PAPER, experiments=(experiment,), results=(), claims=())
 
 

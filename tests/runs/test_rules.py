@@ -104,7 +104,9 @@ OBJECTIVES: dict[str, tuple[Callable[[], float], str]] = {
 
 def ran(problem: Problem, **algorithms: Any) -> dict[str, list[Record]]:  # noqa: ANN401
     """Return the records of each algorithm on a problem."""
-    experiment = replace(EXPERIMENT, problems={"p": problem}, algorithms=algorithms)
+    experiment = replace(
+        EXPERIMENT, problems={"p": problem}, algorithms=algorithms, proposed=next(iter(algorithms))
+    )
     tasks = plan([replace(PAPER, experiments=(experiment,), results=(), claims=())], 1)
     records: list[Record] = []
     with ThreadPoolExecutor(2) as executor:
@@ -171,7 +173,7 @@ def test_every_algorithm_keeps_the_rules(name: str) -> None:
     kind = getattr(optimisers, name)
     if not hasattr(kind, "minimise") or getattr(kind, "_is_protocol", False):
         return
-    experiment = replace(EXPERIMENT, population=30, algorithms={name: kind()})
+    experiment = replace(EXPERIMENT, population=30, algorithms={name: kind()}, proposed=name)
     for function in ("rosenbrock", "foxholes"):
         problem = FUNCTIONS[function].problem(2)
         made = replace(experiment, problems={"p": problem})

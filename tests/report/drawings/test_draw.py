@@ -236,6 +236,7 @@ def test_a_hostile_name_is_shown_as_text(evidence: Evidence) -> None:
     hostile = replace(
         experiment,
         name="hostile",
+        proposed=names[0],
         problems={"]]>": None},
         algorithms=dict.fromkeys(names, experiment.algorithms["WOA"]),
     )
