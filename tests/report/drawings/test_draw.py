@@ -237,7 +237,7 @@ def test_a_hostile_name_is_shown_as_text(evidence: Evidence) -> None:
         experiment,
         name="hostile",
         proposed=names[0],
-        problems={"]]>": None},
+        problems={"]]>": experiment.problems["F1"]},
         algorithms=dict.fromkeys(names, experiment.algorithms["WOA"]),
     )
     paper = replace(PAPER, experiments=(*PAPER.experiments, hostile))
