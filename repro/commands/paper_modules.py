@@ -11,6 +11,7 @@ from pathlib import Path
 from types import ModuleType
 
 from repro.errors import InputError
+from repro.model.faults import protocol_faults
 from repro.model.paper import Paper
 
 PAPER = "PAPER"
@@ -70,6 +71,10 @@ def declared_in(path: Path) -> Declared:
     if not isinstance(paper, Paper):
         message = f"{path}: {PAPER} is {type(paper).__name__}, not repro.model.Paper"
         raise InputError(message)
+    faults = [fault for each in paper.experiments for fault in protocol_faults(each)]
+    if faults:
+        says = (f"{path}: {' '.join(fault.split())}" for fault in faults)
+        raise InputError("\n".join(says))
     return Declared(paper=paper, place=path)
 
 

@@ -39,16 +39,21 @@ def experiment_faults(experiment: Experiment) -> Iterator[str]:
         yield from _count_faults(f"{name}, {count}", getattr(experiment, count))
     if experiment.evaluations is not None:
         yield from _count_faults(f"{name}, evaluations", experiment.evaluations)
+    for problem, subject in experiment.problems.items():
+        yield from _problem_faults(f"{name}, problem {problem!r}", subject)
+    if not [count for count in _COUNTS if _is_no_count(getattr(experiment, count))]:
+        yield from _budget_faults(name, experiment)
+
+
+def protocol_faults(experiment: Experiment) -> Iterator[str]:
+    """Yield what is wrong with an experiment as the protocol of a paper: it must run something."""
+    name = f"experiment {experiment.name!r}"
     for kind in ("problems", "algorithms"):
         if not getattr(experiment, kind):
             yield f"{name} has no {kind}: leave out an experiment that runs nothing"
     if experiment.algorithms and experiment.proposed not in experiment.algorithms:
         known = _known(experiment.proposed, experiment.algorithms)
         yield f"{name}, proposed: {experiment.proposed!r} is no algorithm of it; {known}"
-    for problem, subject in experiment.problems.items():
-        yield from _problem_faults(f"{name}, problem {problem!r}", subject)
-    if not [count for count in _COUNTS if _is_no_count(getattr(experiment, count))]:
-        yield from _budget_faults(name, experiment)
 
 
 def claim_faults(claim: Claim, experiments: Iterable[Experiment]) -> Iterator[str]:

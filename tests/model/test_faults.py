@@ -6,6 +6,7 @@ import pytest
 
 from repro.errors import DeclarationError
 from repro.model.claims import CellClaim, every_cell
+from repro.model.faults import protocol_faults
 from repro.model.tolerances import Between, Percent
 from tests.small_papers import CLAIMS, EXPERIMENT, PAPER, TABLE, Bowl
 
@@ -25,17 +26,14 @@ def measuring(**changes: Any) -> tuple[CellClaim, ...]:  # noqa: ANN401
 
 
 def test_all_faults_are_told_at_once_each_on_a_line_of_its_own() -> None:
-    wrong = replace(EXPERIMENT, population=0, runs=2.5, proposed="gues")  # type: ignore[arg-type]
+    wrong = replace(EXPERIMENT, population=0, runs=2.5)  # type: ignore[arg-type]
 
     said = faults_of(PAPER, experiments=(wrong,), key="a/b")
-
-    there_is = "did you mean 'guess'? there is 'guess', 'wide'"
 
     assert said == [
         "the key 'a/b' cannot name a file: give letters, digits and _",
         "a/b, experiment 'search', population is 0; it must be a whole number, 1 or more",
         "a/b, experiment 'search', runs is 2.5; it must be a whole number, 1 or more",
-        f"a/b, experiment 'search', proposed: 'gues' is no algorithm of it; {there_is}",
     ]
 
 
@@ -86,9 +84,20 @@ def test_a_problem_that_is_none_is_named(problem: object, says: str) -> None:
 
 
 def test_names_with_line_breaks_keep_a_fault_on_its_line() -> None:
-    wrong = replace(EXPERIMENT, proposed="two\nlines\rof\x1b[2J")
+    wrong = replace(EXPERIMENT, name="two\nlines\rof\x1b[2J", runs=0)
 
-    assert len(faults_of(PAPER, experiments=(wrong,))) == 1
+    assert len(faults_of(PAPER, experiments=(wrong,), claims=(), results=())) == 1
+
+
+def test_a_protocol_puts_forward_an_algorithm_that_it_runs() -> None:
+    wrong = replace(EXPERIMENT, proposed="gues", problems={})
+
+    assert list(protocol_faults(EXPERIMENT)) == []
+    assert list(protocol_faults(wrong)) == [
+        "experiment 'search' has no problems: leave out an experiment that runs nothing",
+        "experiment 'search', proposed: 'gues' is no algorithm of it; did you mean 'guess'? "
+        "there is 'guess', 'wide'",
+    ]
 
 
 def test_lists_and_arrays_are_taken_where_tuples_are_meant() -> None:
