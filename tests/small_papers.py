@@ -146,7 +146,9 @@ def evidence_of(paper: Paper, runs: Mapping[Cell, Runs]) -> Evidence:
 
 def searching(**algorithms: Optimiser) -> Paper:
     """Return a paper without claims that runs these algorithms."""
-    experiment = replace(EXPERIMENT, algorithms=algorithms, proposed=next(iter(algorithms)))
+    experiment = replace(
+        EXPERIMENT, algorithms=algorithms, proposed=next(iter(algorithms), "guess")
+    )
     return replace(PAPER, experiments=(experiment,), results=(), claims=())
 
 

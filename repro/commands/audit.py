@@ -27,4 +27,4 @@ def _nothing(paper: Paper) -> str:
     """Return what was looked at where nothing was found."""
     tables = (*paper.inputs, *paper.results)
     numbers = sum(1 for table in tables for _ in table.places())
-    return f"{paper.key}: nothing found in {numbers} numbers of {len(tables)} tables"
+    return f"{paper.key}: nothing found; {len(tables)} tables of {numbers} numbers are declared"
