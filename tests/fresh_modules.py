@@ -1,0 +1,20 @@
+"""Modules of a folder forgotten, as a program that starts anew has not seen them."""
+
+import sys
+from pathlib import Path
+
+
+def drop(folder: Path) -> None:
+    """Forget the modules of a folder."""
+    for name, module in list(sys.modules.items()):
+        if Path(getattr(module, "__file__", None) or "/").is_relative_to(folder):
+            del sys.modules[name]
+
+
+def forget(folder: Path) -> None:
+    """Forget the modules of a folder, and what was read of any module's source."""
+    drop(folder)
+    for name, module in list(sys.modules.items()):
+        if name.startswith("repro.determinism."):
+            for value in vars(module).values():
+                getattr(value, "cache_clear", lambda: None)()
