@@ -91,9 +91,15 @@ def failure(error: BaseException, path: Path) -> str:
     ]
     file, line = lines[-1] if lines else (place, None)
     where = f"{file}, line {line}" if line else file
-    kind = "" if isinstance(error, InputError) or _is_ours(error) else f"{type(error).__name__}: "
-    said = [" ".join(each.split()) for each in str(error).splitlines() if each.strip()] or [""]
-    return "\n".join(f"{where}: {kind}{each}" for each in said)
+    kind = "" if _is_ours(error) else f"{type(error).__name__}: "
+    said = str(error).splitlines() if _is_ours(error) else [str(error)]  # ours: a fault a line
+    return "\n".join(f"{where}: {kind}{_plain(each)}" for each in said or [""])
+
+
+def _plain(text: str) -> str:
+    """Return text on one line that moves no cursor and changes no colour of a terminal."""
+    line = " ".join(text.split())
+    return line if line.isprintable() else ascii(line)[1:-1]
 
 
 def _is_ours(error: BaseException) -> bool:
