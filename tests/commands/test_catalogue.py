@@ -229,7 +229,9 @@ def test_what_a_module_prints_is_not_what_the_command_prints(listed: Listed) -> 
     assert listed("./one.py") == (0, ["one"], "hello\n")
 
 
-@pytest.mark.parametrize("path", ["./none.py", "none/", "a/b/c.py", "loop.py", "loop/", "empty/"])
+@pytest.mark.parametrize(
+    "path", ["./none.py", "none/", "a/b/c.py", "loop.py", "loop/", "empty/", "n" * 300 + ".py"]
+)
 def test_a_place_without_a_module_is_a_line(listed: Listed, path: str) -> None:
     Path("loop.py").symlink_to("loop.py")
     Path("loop").symlink_to("loop")
