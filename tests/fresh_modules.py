@@ -3,6 +3,8 @@
 import sys
 from pathlib import Path
 
+from tests.determinism import edited_packages
+
 
 def drop(folder: Path) -> None:
     """Forget the modules of a folder."""
@@ -14,7 +16,4 @@ def drop(folder: Path) -> None:
 def forget(folder: Path) -> None:
     """Forget the modules of a folder, and what was read of any module's source."""
     drop(folder)
-    for name, module in list(sys.modules.items()):
-        if name.startswith("repro.determinism."):
-            for value in vars(module).values():
-                getattr(value, "cache_clear", lambda: None)()
+    edited_packages.forget()

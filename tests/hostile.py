@@ -131,7 +131,10 @@ class Tags(HTMLParser):
 
 
 def hostile_paper(text: str) -> Paper:
-    """Return a small paper that says a text wherever it says anything."""
+    """Return a small paper that says a text wherever it says anything.
+
+    One search leaves the box however its runs are seeded, so that every page says so of its name.
+    """
     name = "".join(c for c in text if c.isprintable() and c not in "|/[]").strip()[:80]
     first, second, problem = f"a{name}a", f"b{name}b", f"p{name}p"
     table = PublishedTable.read(
@@ -140,7 +143,7 @@ def hostile_paper(text: str) -> Paper:
     )
     experiment = replace(
         EXPERIMENT, where=f"w{text}", problems={problem: Bowl()}, proposed=first,
-        algorithms={first: Guessing(), second: Guessing(width=4.0)},
+        algorithms={first: Guessing(), second: Guessing(width=4000.0)},
     )  # fmt: skip
     cells = every_cell(
         table,

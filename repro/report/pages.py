@@ -83,7 +83,8 @@ def write_report(
         made[key] = provenance_entry(judgement, environments.get(key, []))
     results = merged(entries, read_results(folder / "results.json"), known)
     files["results.json"] = results_text(results)
-    files[PROVENANCE] = results_text(merged_provenance(made, read_json(folder / PROVENANCE), known))
+    kept = [entry["key"] for entry in results["papers"]]
+    files[PROVENANCE] = results_text(merged_provenance(made, read_json(folder / PROVENANCE), kept))
     files |= index_files(results, read_json(folder / ANOTHER_SEED)) | verdict_files()
     for name, text in files.items():
         write_file(folder / name, text)

@@ -121,8 +121,7 @@ def provenance_entry(judgement: Judgement, environments: Environments) -> Json:
 def merged_provenance(fresh: Mapping[str, Json], old: Json | None, order: Iterable[str]) -> Json:
     """Return the whole of provenance.json: fresh entries, and old ones of papers not redone."""
     entries = {**(old or {}).get("papers", {}), **fresh}
-    kept = dict.fromkeys((*order, *entries))
-    return {"papers": {key: entries[key] for key in kept if key in entries}}
+    return {"papers": {key: entries[key] for key in order if key in entries}}
 
 
 def read_results(path: Path) -> Json | None:

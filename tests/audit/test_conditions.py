@@ -18,12 +18,13 @@ from repro.audit.blocks import bounds_of
 from repro.functions import FUNCTIONS
 from repro.model.paper import Paper
 from repro.tables.arithmetic import IN_DOUBLES
+from tests.small_papers import Bowl
 from tests.summaries import audited, condition_of, paper_of, proved, scientific
 
 Singles = NDArray[np.float32]
 WHOLE = "no digit of a whole number is rounded away"
 ZERO = "a bare 0 stands for what the arithmetic rounds to 0, not for a small number"
-UNKNOWN = object()  # a problem of which nothing is known
+UNKNOWN = Bowl()  # a problem of which nothing is known
 F = np.float32
 
 

@@ -1,6 +1,8 @@
 """The examples of the manual, run as they stand."""
 
+import importlib.util
 import runpy
+import sys
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -19,8 +21,13 @@ PARTS = sorted(path.name for path in FOLDER.glob("*.py"))
 
 
 def example(name: str) -> dict[str, Any]:
-    """Return what an example defines."""
-    return runpy.run_path(str(FOLDER / f"{name}.py"))
+    """Return what an example defines, as a module whose source can be found."""
+    spec = importlib.util.spec_from_file_location(f"example_{name}", FOLDER / f"{name}.py")
+    assert spec
+    assert spec.loader
+    module = sys.modules[spec.name] = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return vars(module)
 
 
 @pytest.mark.parametrize("name", ["own_cost", "compiled_kernel", "own_function", "own_law"])

@@ -152,17 +152,21 @@ def test_flag_marks_what_no_runs_whatever_give_and_nothing_else(pages: dict[str,
     audit = json.loads(pages["results.json"])["papers"][0]["audit"]
     assert [(row["grade"], bool(row["condition"])) for row in audit] == [
         ("impossible", False),
+        ("impossible", False),
         ("impossible", True),
     ]
     cells = re.findall(r'<a class="mark[^>]*>(.*?)</a>', pages["doe2021.html"])
-    assert [re.sub("<.*?>", "", cell) for cell in cells] == ["⚑ impossible", "audit: impossible"]
-    assert pages["doe2021.html"].count(" data-marked") == 1
+    assert [re.sub("<.*?>", "", cell) for cell in cells] == [
+        *["⚑ impossible"] * 2,
+        "audit: impossible",
+    ]
+    assert pages["doe2021.html"].count(" data-marked") == 2
     assert "<dt>audit: impossible</dt>" in pages["doe2021.html"]
     assert re.findall(r"<td>(impossible.*?)</td>", pages["doe2021.html"]) == [
-        *("impossible ⚑", "impossible")
+        *("impossible ⚑", "impossible ⚑", "impossible")
     ]
     for name in ("index.html", "verdicts.md"):
-        flagged = r'<td data-name="⚑ impossible">1</td>|\| 1 \| 2 \|'
+        flagged = r'<td data-name="⚑ impossible">2</td>|\| 2 \| 2 \|'
         assert re.search(flagged, pages[name]), name
     for page in pages.values():
         assert "arithmetic alone forbids" not in page

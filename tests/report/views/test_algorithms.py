@@ -18,11 +18,11 @@ Vector = NDArray[np.float64]
 LOW, HIGH = [1.0, 2.0, 3.0, 4.0], [5.0, 6.0, 7.0, 8.0]
 
 
-def runs(*repeats: list[float]) -> Runs:
+def runs(*repeats: list[float], dimension: int = 3) -> Runs:
     costs = np.array(repeats)
     return Runs(
         costs=costs,
-        points=np.ones((*costs.shape, 3)),
+        points=np.ones((*costs.shape, dimension)),
         histories=np.ones((*costs.shape, 12)),
         evaluations=72,
     )
@@ -126,8 +126,10 @@ def test_what_the_paper_prints_stands_beside_ours() -> None:
     evidence = evidence_of(
         SMWOA,
         {
-            (experiment.name, problem, name): runs(rng.uniform(1, 2 + place, size=30).tolist())
-            for problem in experiment.problems
+            (experiment.name, problem, name): runs(
+                rng.uniform(1, 2 + place, size=30).tolist(), dimension=len(subject.bounds)
+            )
+            for problem, subject in experiment.problems.items()
             for place, name in enumerate(experiment.algorithms)
         },
     )
