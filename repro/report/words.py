@@ -81,20 +81,24 @@ def _end(end: float, digits: int) -> str:
 
 
 def difference(printed: Printed, value: float | None) -> str:
-    """Return how a reproduced value differs: in percent, or as a factor where it is large."""
+    """Return how a reproduced value differs: in percent, or as a factor where it is large.
+
+    A value that is greater has a "+" or a factor, of negative numbers, too; of these a large
+    difference is shown as it is, since a factor would not say on which side it lies.
+    """
     if value is None:
         return ""
     if value == printed.value or (printed.value and abs(value - printed.value) <= printed.rounding):
         return "as printed"
-    if printed.value == 0 or value == 0 or (printed.value < 0) != (value < 0):
+    ratio = value / printed.value if printed.value else 0.0
+    if ratio <= 0 or (printed.value < 0 and not 0.1 < ratio <= 2):
         sign = "+" if value > printed.value else "−"
         return f"{sign}{number(abs(value - printed.value))}"
-    ratio = value / printed.value
     if not 0.1 < ratio < 10:
         return f"{math.log10(ratio):+.1f} decades".replace("-", "−")
     if ratio > 2:
         return f"×{ratio:.2f}"
-    percent = 100 * (ratio - 1)
+    percent = math.copysign(100, printed.value) * (ratio - 1)
     text = f"{percent:+.1f}" if abs(percent) >= 1 else f"{percent:+.1g}"
     return f"{text} %".replace("-", "−")
 

@@ -104,6 +104,10 @@ def test_what_a_finding_counts_with_is_said(group: str | None, others: int, word
         ("0", 0.0, "as printed"),
         ("0", 1e-5, "+1.000×10^-5"),
         ("1", -1.0, "−2"),
+        ("-100", -64.0, "+36.0 %"),
+        ("-100", -136.0, "−36.0 %"),
+        ("-2.5", -10.0, "−7.500"),
+        ("-100", -1.0, "+99"),
     ],
 )
 def test_differences_are_in_percent_or_decades(printed: str, value: float, text: str) -> None:
