@@ -2,20 +2,25 @@
 
 import sys
 from argparse import Namespace
+from collections.abc import Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from repro.commands import catalogue
+from repro.commands.shown_rows import warn
+from repro.determinism.provenance import provenance
 from repro.errors import InputError, ReproError
 from repro.model.claims import CellClaim, Claim
+from repro.model.evidence import Evidence
 from repro.model.identifiers import claim_names, place_of
 from repro.model.paper import Paper
 from repro.report.words import digits_for, interval, number
 from repro.runs.gather import gather
-from repro.runs.plan import plan
-from repro.runs.session import run_missing
+from repro.runs.plan import Task, plan
+from repro.runs.session import mended, run_missing
 from repro.runs.store.store import Store
 from repro.runs.workers.local import checked_workers, local
 from repro.tables.published import UNITS
@@ -36,6 +41,7 @@ class Again:
     claim: Claim
     value: float
     runs: int
+    stored: int = 0
 
     @property
     def text(self) -> str:
@@ -45,6 +51,7 @@ class Again:
         digits = 4 if worded else digits_for(claim.printed)
         unit = f" {claim.printed.unit}".rstrip()
         runs = f"{self.runs} run{'s' * (self.runs > 1)}"
+        runs += f", {self.stored} of them from the store" if self.stored else ""
         how = f"first repeat, {runs}" if self.runs else "computed, no run"
         return (
             f"{', '.join(place_of(claim))}\n"
@@ -66,18 +73,26 @@ def run(options: Namespace) -> int:
             executor=executor,
             workers=workers,
             master_seed=options.master_seed,
+            folder=options.store,
         )
     sys.stdout.write(found.text)
     return 0
 
 
 def run_again(
-    paper: Paper, name: str, *, executor: Executor, workers: int, master_seed: str = ""
+    paper: Paper,
+    name: str,
+    *,
+    executor: Executor,
+    workers: int,
+    master_seed: str = "",
+    folder: Path | None = None,
 ) -> Again:
     """Run the first repeat of what one claim needs; `name` is its identifier on the pages.
 
-    Raises InputError where no claim, or more than one, has that name and where the paper lacks
-    what a re-run needs, RunFailedError where a run fails.
+    What the store in a folder has is taken from there, and what it lacks is kept there. Raises
+    InputError where no claim, or more than one, has that name and where the paper lacks what a
+    re-run needs, RunFailedError where a run fails.
     """
     claim = named_claim(paper, name)
     if claim.measure is None:
@@ -88,15 +103,24 @@ def run_again(
     tasks = [
         t for t in plan([paper], 1, master_seed) if (t.experiment, t.problem, t.algorithm) in needed
     ]
-    with TemporaryDirectory() as folder, Store(Path(folder)) as store:
-        failed = run_missing(
-            store, tasks, executor=executor, workers=workers, environment=dict, report=_silent
-        )
-        for record in failed:
-            message = f"run {record.task.name} failed: {record.reason}"
-            raise RunFailedError(message)
-        measured = claim.measure.measure(gather(store, paper, tasks))
-    return Again(claim=claim, value=measured.value / UNITS[claim.printed.unit], runs=len(tasks))
+    with TemporaryDirectory() as passing, Store(folder or Path(passing), say=warn) as store:
+        stored = len(tasks) - len(store.missing(tasks))
+        made = partial(_made, store, paper, tasks, executor=executor, workers=workers)
+        value = claim.measure.measure(mended(store, made)).value
+    value /= UNITS[claim.printed.unit]
+    return Again(claim=claim, value=value, runs=len(tasks), stored=stored)
+
+
+def _made(
+    store: Store, paper: Paper, tasks: Sequence[Task], *, executor: Executor, workers: int
+) -> Evidence:
+    failed = run_missing(
+        store, tasks, executor=executor, workers=workers, environment=provenance, report=_silent
+    )
+    for record in failed:
+        message = f"run {record.task.name} failed: {record.reason}"
+        raise RunFailedError(message)
+    return gather(store, paper, tasks)
 
 
 def named_claim(paper: Paper, name: str) -> Claim:

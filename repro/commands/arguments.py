@@ -10,7 +10,8 @@ DEFAULT_REPEATS = 10
 STORE, REPORTS, PRIVATE = Path(".repro"), Path("reports"), Path("reports-private")
 _AGAIN = (
     "Run what one printed number needs, once, and say what comes out: the number that its page "
-    "shows below the printed one. Nothing is stored."
+    "shows below the printed one. Nothing is stored, unless a store is named: what it has is not "
+    "run, and what it lacks is kept in it."
 )
 _PAPER = "a key, a file or folder that declares papers, or the key of an installed package"
 _PAPERS = f"{_PAPER} (default: all)"
@@ -121,6 +122,7 @@ def _add_places(parsers: Mapping[str, argparse.ArgumentParser]) -> None:
     """Add the folders that a command uses."""
     for name in ("reproduce", "report", "list", "compare", "verify"):
         parsers[name].add_argument("--store", type=Path, default=STORE, metavar="DIR")
+    parsers["again"].add_argument("--store", type=Path, metavar="DIR", help="default: none")
     for name in ("reproduce", "report", "compare"):
         default = PRIVATE if name == "compare" else REPORTS
         parsers[name].add_argument("--reports", type=Path, default=default, metavar="DIR")

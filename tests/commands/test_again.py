@@ -13,9 +13,13 @@ from tests.made_up import pages_of
 from tests.small_papers import Failing
 
 
-def again(name: str, paper: Paper = PAPER, master_seed: str = "") -> Again:
+def again(
+    name: str, paper: Paper = PAPER, master_seed: str = "", folder: Path | None = None
+) -> Again:
     with ThreadPoolExecutor(2) as executor:
-        return run_again(paper, name, executor=executor, workers=2, master_seed=master_seed)
+        return run_again(
+            paper, name, executor=executor, workers=2, master_seed=master_seed, folder=folder
+        )
 
 
 def test_the_number_comes_out_as_the_page_shows_it(tmp_path: Path) -> None:
@@ -75,3 +79,11 @@ def test_another_master_seed_gives_another_number_and_the_same_one_each_time() -
     first, second = (again("table-2-f1-mean-woa", master_seed="b").value for _ in range(2))
 
     assert first == second != again("table-2-f1-mean-woa").value
+
+
+def test_a_store_gives_the_runs_that_it_has_and_keeps_those_that_it_lacks(tmp_path: Path) -> None:
+    first, second = (again("table-2-f1-mean-woa", folder=tmp_path) for _ in range(2))
+
+    assert (first.stored, second.stored) == (0, TEST.runs)
+    assert first.value == second.value == again("table-2-f1-mean-woa").value
+    assert "first repeat, 4 runs, 4 of them from the store" in second.text
