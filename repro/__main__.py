@@ -5,13 +5,15 @@ import sys
 from collections.abc import Sequence
 
 from repro.commands.arguments import parsed
+from repro.commands.streams import let_readers_leave
 from repro.errors import INTERRUPTED, TERMINATED, ReproError, Terminated
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command and return its exit code; bad input is one line on stderr."""
-    options = parsed(arguments)
+    let_readers_leave()
     try:
+        options = parsed(arguments)
         # of all commands this one alone is loaded
         code: int = importlib.import_module(f"repro.commands.{options.command}").run(options)
     except ReproError as error:

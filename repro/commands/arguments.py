@@ -4,7 +4,8 @@ import argparse
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from repro.commands.audit_settings import add_audit_options, audit_command
+from repro.commands.audit_settings import add_audit_options, audit_command, is_table_file
+from repro.errors import InputError
 
 DEFAULT_REPEATS = 10
 STORE, REPORTS, PRIVATE = Path(".repro"), Path("reports"), Path("reports-private")
@@ -34,6 +35,9 @@ _TEXTS = {
 def parsed(arguments: Sequence[str] | None = None) -> argparse.Namespace:
     """Return the options; what a command does not know ends the program with that one's usage."""
     options, unknown = parser().parse_known_args(arguments)
+    if files := [name for name in unknown if is_table_file(name)]:
+        message = f"{files[0]!r} reads like an option; a file of this name is ./{files[0]}"
+        raise InputError(message)
     if unknown:
         options.named.error(f"unrecognized arguments: {' '.join(unknown)}")
     if options.command == "audit":

@@ -57,7 +57,14 @@ def is_table_file(argument: str) -> bool:
     suffix = Path(argument).suffix.lower()
     if argument == STANDARD_INPUT or suffix in _SUFFIXES:
         return True
-    return suffix != ".py" and Path(argument).is_file()
+    return suffix != ".py" and _is_file(Path(argument))
+
+
+def _is_file(path: Path) -> bool:
+    try:
+        return path.is_file()
+    except OSError:  # a name too long, say
+        return False
 
 
 def audit_command(arguments: Sequence[str], told: Mapping[str, Any]) -> str:
@@ -140,7 +147,7 @@ def _toml(name: str) -> Path:
 
 def _beside(name: str, *, strict: bool) -> dict[str, Any]:
     """Return what the TOML beside a file tells; nothing where there is none."""
-    if name == STANDARD_INPUT or not Path(name).suffix or not _toml(name).is_file():
+    if name == STANDARD_INPUT or not Path(name).suffix or not _is_file(_toml(name)):
         return {}
     try:
         with _toml(name).open("rb") as file:

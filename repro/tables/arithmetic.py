@@ -8,6 +8,7 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
 
 from repro.tables.published import Printed
 from repro.tables.true_numbers import TINY, TINY_STD, Span, is_scientific_number, span
@@ -38,7 +39,8 @@ class Arithmetic:
     0 among powers of ten may stand for any number that rounds to it. Without `whole` the last
     digits of a whole number may be rounded away. Without `in_box` runs may end outside the box.
     Without `two_pass` a variance may be the mean of squares less the square of the mean, which
-    cancels where runs are nearly equal.
+    cancels where runs are nearly equal. `significant` is how many digits every number was rounded
+    to, where that is told: then `whole` is no question.
     """
 
     doubles: bool = False
@@ -46,6 +48,7 @@ class Arithmetic:
     whole: bool = False
     in_box: bool = False
     two_pass: bool = False
+    significant: int | None = None
 
     def beyond(self, known: "Arithmetic") -> str | None:
         """Return what is taken for granted and not known, as the end of "holds if …"."""
@@ -69,6 +72,7 @@ def joined(conditions: Iterable[str | None]) -> str | None:
     return ", and ".join(filter(None, conditions)) or None
 
 
+@lru_cache(maxsize=1 << 16)
 def statistic_span(printed: Printed, *, scientific: bool, spread: bool, given: Arithmetic) -> Span:
     """Return what can stand behind a printed statistic, but for the rounding of a mean.
 
@@ -83,7 +87,8 @@ def statistic_span(printed: Printed, *, scientific: bool, spread: bool, given: A
     bare = given.exact_zeros and is_bare_zero(printed, scientific=scientific)
     if printed.value == 0 and (bare or is_scientific_number(printed)):
         return Span(-tiny, tiny)
-    last = None if given.whole else rounded_at(printed)
+    kept = given.significant
+    last = None if given.whole and kept is None else rounded_at(printed, kept or DIGITS)
     around = span(printed, last=last)
     return Span(around.low - tiny, around.high + tiny)
 
@@ -94,10 +99,13 @@ def is_bare_zero(printed: Printed, *, scientific: bool) -> bool:
     return scientific and printed.value == 0 and not marks
 
 
-def rounded_at(printed: Printed) -> Fraction | None:
-    """Return the unit that a whole number may be rounded to; None where it ends in no 0 beyond."""
+def rounded_at(printed: Printed, digits: int = DIGITS) -> Fraction | None:
+    """Return the unit that a whole number may be rounded to; None where it ends in no 0 beyond.
+
+    Its first `digits` are never rounded away.
+    """
     match = _WHOLE.fullmatch(printed.mantissa)
     if match is None or printed.power is not None:
         return None
-    kept = max(DIGITS, len(match[1].rstrip("0")))
+    kept = max(digits, len(match[1].rstrip("0")))
     return Fraction(10 ** (len(match[1]) - kept)) if kept < len(match[1]) else None

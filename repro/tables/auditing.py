@@ -3,23 +3,28 @@
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from fractions import Fraction
+from functools import partial
+from itertools import chain
 from typing import Any
 
-from repro.tables.arithmetic import IN_DOUBLES, joined
+from repro.tables.arithmetic import IN_DOUBLES, NARROWEST, joined
 from repro.tables.audit_options import AuditOptions, Guess
 from repro.tables.blocks import Block, FunctionBounds
 from repro.tables.checks import block_rows, fact_rows
-from repro.tables.facts import Fact
+from repro.tables.facts import Decision, Fact
 from repro.tables.gathered import Entry, Gathered, Skipped, gathered, numbered
 from repro.tables.grids import Grid
-from repro.tables.guesses import guess_lines, guessed_runs, is_maximised
-from repro.tables.possible_runs import TRIED, least_runs, rows_at_any_number
+from repro.tables.guesses import errors_guess, guess_lines, guessed_runs, is_maximised
+from repro.tables.levels import level_of
+from repro.tables.possible_runs import TRIED, can_be, least_runs, rows_at_any_number
 from repro.tables.read_facts import facts_of, places_of
+from repro.tables.read_ranks import with_ranks
 from repro.tables.repeats import repeat_rows
 from repro.tables.rows import AuditRow
 from repro.tables.texts import Form, tables_in
 
 _SPREADS = {"std": "std", "variance": "variance", "sem": "standard error"}
+NO_NEGATIVE = "no value is below 0"
 _TITLE = 60
 _SHOWN = 6  # blocks that a line names
 
@@ -72,7 +77,7 @@ def audited(
     found = []
     for k, grid in enumerate(grids):
         label = _label(grid, k, len(grids))
-        table = gathered(grid, label)
+        table = with_ranks(gathered(grid, label))
         if table.entries:
             found.append(_audited(table, grid, options, file=file, context=context))
     return found
@@ -95,8 +100,13 @@ def _audited(
         block for part in parts if (block := _block(part, runs, options, maximised=maximised))
     ]
     own = {(b.problem_name, b.algorithm): b for b in blocks if b.quantity == "cost"}
-    facts = facts_of(table, own, options, runs, maximised=maximised)
-    told = [guess] if guess else []
+    level = level_of(table.text, options)
+    facts = facts_of(table, own, options, runs=runs, level=level, maximised=maximised)
+    rows = _rows(file, blocks, facts, runs)
+    errors = None if maximised else errors_guess(table, options)
+    if errors:
+        rows = chain(rows, _if_errors(file, blocks, runs))
+    told = [each for each in (guess, errors) if each]
     open_n = list(_possible(blocks)) if runs is None else []
     return AuditedTable(
         file=file,
@@ -107,8 +117,13 @@ def _audited(
         blocks=len(blocks),
         runs=runs,
         skipped=table.skipped,
-        guesses=(*told, *open_n, *guess_lines(table, options, maximised=maximised)),
-        rows=tuple(_in_precision(_rows(file, blocks, facts, runs), options.precision)),
+        guesses=(
+            *told,
+            *open_n,
+            *guess_lines(table, options, maximised=maximised),
+            *(level.guesses if any(isinstance(fact, Decision) for fact in facts) else ()),
+        ),
+        rows=tuple(_in_precision(rows, options.precision)),
         places={(e.number.row, e.number.column): (e.i, e.j) for e in table.entries},
     )
 
@@ -139,6 +154,7 @@ def _block(
         n=runs or TRIED[0],
         cells=cells,
         scientific=any(number.printed.power is not None for number in numbers.values()),
+        given=replace(NARROWEST, significant=options.significant),
         maximise=maximised,
         whole_numbers=options.integers and not entry.quantity,
         function=None if entry.quantity else _bounds(entry.problem, options, maximised=maximised),
@@ -177,24 +193,37 @@ def _floor(minimum: Fraction, title: str) -> FunctionBounds:
 
 def _checked(blocks: Sequence[Block], facts: Sequence[Fact]) -> int:
     """Return how many numbers a check looks at."""
-    cells = [
-        (cell.row, cell.column, cell.printed.text) for b in blocks for cell in b.cells.values()
-    ]
-    cells += [(c.row, c.column, c.printed.text) for fact in facts for c in places_of(fact)]
-    return len(set(cells))
+    cells = [cell for block in blocks for cell in block.cells.values()]
+    cells += [cell for fact in facts for cell in places_of(fact)]
+    return len(set(map(id, cells)))  # two columns of one heading may print the same number
 
 
 def _rows(
     file: str, blocks: Sequence[Block], facts: Sequence[Fact], runs: int | None
 ) -> Iterator[AuditRow]:
     for block in blocks:
-        if runs is not None:
-            yield from block_rows(file, block)
-        else:
-            yield from rows_at_any_number(block, lambda b: list(block_rows(file, b)))
+        yield from _of_block(file, block, runs)
     for fact in facts:
         yield from fact_rows(file, fact)
     yield from repeat_rows(file, blocks)
+
+
+def _of_block(file: str, block: Block, runs: int | None) -> Iterator[AuditRow]:
+    if runs is not None:
+        yield from block_rows(file, block)
+    else:
+        yield from rows_at_any_number(block, partial(block_rows, file))
+
+
+def _if_errors(file: str, blocks: Sequence[Block], runs: int | None) -> Iterator[AuditRow]:
+    """Yield what blocks say only if none of their values is below 0."""
+    floor = _floor(Fraction(0), "an error")
+    for block in blocks:
+        if block.function is None and block.quantity == "cost":
+            known = {(row.check, row.column) for row in _of_block(file, block, runs)}
+            for row in _of_block(file, replace(block, function=floor), runs):
+                if (row.check, row.column) not in known:
+                    yield replace(row, condition=joined((row.condition, NO_NEGATIVE)))
 
 
 def _in_precision(rows: Iterator[AuditRow], precision: str | None) -> Iterator[AuditRow]:
@@ -210,18 +239,19 @@ def _in_precision(rows: Iterator[AuditRow], precision: str | None) -> Iterator[A
 
 def _possible(blocks: Sequence[Block]) -> Iterator[Guess]:
     """Yield from which number of runs on the blocks are possible."""
-    least = [(least_runs(block, lambda b: list(block_rows("", b))), block) for block in blocks]
-    usual = sum(n == TRIED[0] for n, _ in least)
-    if not least:
+    if not blocks:
         return
-    more = [
-        f"{_name(block)} from n = {n}" if n else f"{_name(block)} for no n up to {TRIED[-1]}"
+    check = partial(block_rows, "")
+    more = [block for block in blocks if not can_be(block, TRIED[0], check)]
+    usual = len(blocks) - len(more)
+    least = [(least_runs(block, check), block) for block in more[:_SHOWN]]
+    words = [
+        f"; {_name(block)} {f'from n = {n}' if n else f'for no n up to {TRIED[-1]}'}"
         for n, block in least
-        if n != TRIED[0]
     ]
-    shown = f"; {'; '.join(more[:_SHOWN])}{'; …' * (len(more) > _SHOWN)}" if more else ""
+    shown = f"{''.join(words)}{'; …' * (len(more) > _SHOWN)}"
     yield Guess(
-        says=f"without n, {usual} of {len(least)} blocks can be from n = {TRIED[0]} on{shown}",
+        says=f"without n, {usual} of {len(blocks)} blocks can be from n = {TRIED[0]} on{shown}",
         option="runs",
     )
 

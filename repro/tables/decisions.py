@@ -52,7 +52,7 @@ def _against_level(paper: str, decision: Decision) -> Iterator[AuditRow]:
     sides = {1: "one-sided ", 2: "two-sided ", None: ""}[decision.sides]
     yield audit_row(
         paper,
-        (decision.p,),
+        (decision.p, *([decision.decided] if decision.decided else [])),
         check="p-decision",
         grade=Grade.INCONSISTENT,
         explanation=(

@@ -50,14 +50,16 @@ class Success:
 class Decision:
     """What is printed of one test: p, z, r = z/√N, and whether the hypothesis is rejected.
 
-    `n` is the size of each sample, or the number of pairs; `sides` those of p, and None where that
-    is not told. `tally` holds the wins and losses of a sign test.
+    `decided` is the cell that says so, if it is not p itself. `n` is the size of each sample, or
+    the number of pairs; `sides` those of p, and None where that is not told. `tally` holds the
+    wins and losses of a sign test.
     """
 
     p: Cell
     z: Cell | None = None
     r: Cell | None = None
     rejects: bool | None = None
+    decided: Cell | None = None
     alpha: Fraction = Fraction(1, 20)
     sides: Literal[1, 2] | None = None
     test: RankTest | None = None

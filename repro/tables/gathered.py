@@ -26,7 +26,7 @@ OF_RUNS = frozenset(
 )
 BESIDE = frozenset(
     (
-        *("rank", "average rank", "total rank", "wins", "ties", "losses", "p-value", "z", "h"),
+        *("rank", "average rank", "total rank", "wins", "ties", "losses", "p-value", "z", "h", "r"),
         *("success rate", "time"),
     )
 )
@@ -110,11 +110,15 @@ def _statistics_stand_in_columns(cells: Sequence[GridCell]) -> bool:
     return _weight(cell.column for cell in cells) >= _weight(cell.row for cell in cells)
 
 
-def _weight(places: Iterator[tuple[Label, ...]]) -> int:
-    texts = {label.text for labels in places for label in labels}
+def _weight(places: Iterator[tuple[Label, ...]]) -> tuple[int, int]:
+    """Return how many statistics of runs are named, then over how many cells one beside them is."""
+    texts = Counter(label.text for labels in places for label in labels)
     sure = {name for text in texts if is_statistic(text) for name in statistics_in(text)[0]}
     some = {name for text in texts for name in statistics_in(text)[0]}
-    return 10 * len(sure & OF_RUNS) + len(some & OF_RUNS)
+    beside = sum(
+        times for text, times in texts.items() if not BESIDE.isdisjoint(statistics_in(text)[0])
+    )
+    return 10 * len(sure & OF_RUNS) + len(some & OF_RUNS), beside
 
 
 def _named(cell: GridCell, words: dict[str, str], *, by_column: bool) -> _Named:
@@ -123,10 +127,10 @@ def _named(cell: GridCell, words: dict[str, str], *, by_column: bool) -> _Named:
     statistics: tuple[str, ...] = ()
     quantity = ""
     rest: list[Label] = []
-    sure = any(is_statistic(label.text) for label in axis)
+    told = _telling(axis)
     for label in axis:
         names, left = statistics_in(label.text)
-        if names and not statistics and (not left or not sure):
+        if label is told:
             statistics = names
             words.setdefault(label.text, ", ".join(names))
             quantity = left if names_quantity(left) else ""
@@ -149,6 +153,15 @@ def _named(cell: GridCell, words: dict[str, str], *, by_column: bool) -> _Named:
         algorithm=algorithm,
         quantity=quantity,
     )
+
+
+def _telling(labels: Sequence[Label]) -> Label | None:
+    """Return the label that names the statistic: one of runs before what stands beside them."""
+    sure = any(is_statistic(label.text) for label in labels)
+    found = [(label, *statistics_in(label.text)) for label in labels]
+    able = [(label, names) for label, names, left in found if names and (not left or not sure)]
+    of_runs = [label for label, names in able if not OF_RUNS.isdisjoint(names)]
+    return next(iter((*of_runs, *(label for label, _ in able))), None)
 
 
 def _roles(labels: Sequence[tuple[Label, bool]]) -> tuple[str, str]:
@@ -200,7 +213,7 @@ def _read(each: _Named, label: str, second: str) -> Iterator[Entry | Skipped]:
     elif first == "wins" and (counts := _TALLY.fullmatch(text)):
         for name, count in zip(_tally_order(each), counts.groups(), strict=True):
             yield _entry(each, label, count, name)
-    elif first == "wins":
+    elif first == "wins" and _refused(cell.text):
         yield _skipped(cell, "it is no count of wins, ties and losses", label)
     elif inner and first in {"", "mean", "median", "best"} and not _refused(inner):
         yield _entry(each, label, inner, then)

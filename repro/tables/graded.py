@@ -50,14 +50,15 @@ def ways(block: Block) -> list[Arithmetic]:
     """Return how the block may have been made, from what takes least for granted to most."""
     printed = [cell.printed for cell in block.cells.values()]
     zeros = any(is_bare_zero(each, scientific=block.scientific) for each in printed)
-    whole = any(rounded_at(each) for each in printed)
+    told = block.given.significant
+    whole = told is None and any(rounded_at(each) for each in printed)
     boxed = block.function is not None and block.function.only_in_box
     spread = block.spread is not None
     is_open = (zeros, whole, boxed, spread)
     choices = [(False, True) if each else (False,) for each in is_open]
     doubles = (True,) if _needs_doubles(block) else (False, True)
     return [
-        Arithmetic(exact_zeros=z, whole=w, in_box=b, two_pass=t, doubles=d)
+        Arithmetic(exact_zeros=z, whole=w, in_box=b, two_pass=t, doubles=d, significant=told)
         for z, w, b, t, d in sorted(product(*choices, doubles), key=sum)
     ]
 

@@ -1,5 +1,6 @@
 """What is not told of a table: the number of runs, the sense, what the spread is."""
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from repro.tables.audit_options import SPREADS, AuditOptions, Guess
@@ -7,6 +8,8 @@ from repro.tables.gathered import VALUE, Entry, Gathered
 from repro.tables.headings import heads_runs, runs_in, sizes_in
 
 LEAST_RUNS = 2
+OF_VALUES = ("best", "mean", "median", "worst", "lowest", "highest", "q1", "q3")
+_ERROR = re.compile(r"(?<!standard )(?<!std )(?<!std\. )\berrors?\b", re.IGNORECASE)
 
 
 def guessed_runs(
@@ -65,13 +68,35 @@ def guess_lines(table: Gathered, options: AuditOptions, *, maximised: bool) -> I
     if values:
         yield Guess(says=f"no heading names a statistic for {values} numbers: they are not checked")
     if options.significant is not None:
-        says = "significant is told; whole numbers may be rounded to three digits anyway"
-        yield Guess(says=says, option="significant")
+        yield Guess(says=_rounded(table, options.significant), option="significant")
     yield _sense(options, maximised=maximised)
     if any(entry.statistic == "std" for entry in table.entries) and options.spread is None:
         yield Guess(
             says="the spread is a standard deviation", option="spread", value="std", choices=SPREADS
         )
+
+
+def errors_guess(table: Gathered, options: AuditOptions) -> Guess | None:
+    """Return the guess that no value is below 0, where a caption or heading calls them errors."""
+    if options.errors or options.maximise or options.minimum or options.functions:
+        return None
+    values = [e.number.printed.value for e in table.entries if e.statistic in OF_VALUES]
+    if any(value < 0 for value in values):
+        return None
+    headings = " ".join(table.words)
+    for text, place in ((table.text, "the caption"), (headings, "a heading")):
+        if _ERROR.search(text):
+            says = f"values ≥ 0 from 'error' in {place}"
+            return Guess(says=says, option="errors", value="no", choices=("yes", "no"))
+    return None
+
+
+def _rounded(table: Gathered, digits: int) -> str:
+    """Return what the digits that are told mean, and how many numbers have more of them."""
+    printed = [entry.number.printed for entry in table.entries]
+    longer = sum(len(each.mantissa.strip("+-0.").replace(".", "")) > digits for each in printed)
+    beyond = f"; {longer} numbers have more digits" if longer else ""
+    return f"whole numbers may be rounded to {digits} digits, as told{beyond}"
 
 
 def _sense(options: AuditOptions, *, maximised: bool) -> Guess:

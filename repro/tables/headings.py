@@ -8,6 +8,7 @@ from repro.tables.markup import plain
 
 _SEPARATOR = r"[\s._-]*"
 # In this order: "mean rank" is no mean, "mean of the best" is one.
+_COUNT = r"(?:#\s?|no\.?\sof\s|number\sof\s)?"
 _PATTERNS = {
     "average rank": r"(?:av(?:era)?g?e?|mean|overall|friedman)\.?\s?-?(?:friedman\s?)?"
     r"rank(?:ing|s)?"
@@ -33,8 +34,13 @@ _PATTERNS = {
     "p-value": r"p[\s-]*val(?:ue|\.)?s?|p",
     "z": r"z[\s-]*(?:val(?:ue|\.)?s?|score)?",
     "h": r"h",
+    # these words mean counts and effects only where nothing else stands in the heading
+    "r": r"^(?:effect\ssize(?:\s\(?r\)?)?|r)$",
+    "ties": rf"^{_COUNT}(?:ties?|draws?)$",
+    "losses": rf"^{_COUNT}(?:loss(?:es)?)$",
     "wins": r"\+/[=≈~]/-|w/[td]/l|wins?/(?:ties?|draws?)/loss(?:es)?|\(?w\|t\|l\)?|\+/-/[=≈~]|w/l/t"
-    r"|[=≈]/\+/-|win/tie/loss|b/s/w|better/(?:equal|similar)/worse",
+    r"|[=≈]/\+/-|win/tie/loss|b/s/w|better/(?:equal|similar)/worse"
+    rf"|^{_COUNT}wins?$",
     "q1": r"q1|first\squartile|lower\squartile|25\s?%",
     "q3": r"q3|third\squartile|upper\squartile|75\s?%",
     "time": r"(?:cpu\s|run\s?|elapsed\s|comp(?:utation(?:al)?|uting)?\.?\s)?times?|cpu|runtime"

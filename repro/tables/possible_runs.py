@@ -1,13 +1,18 @@
 """The numbers of runs that a block allows, where no number of runs is told."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 
 from repro.tables.blocks import Block
 from repro.tables.rows import AuditRow
 
 TRIED = (*range(2, 31), 35, 40, 50, 51, 60, 75, 100, 150, 200, 300, 500, 1000)
-Check = Callable[[Block], Sequence[AuditRow]]
+Check = Callable[[Block], Iterable[AuditRow]]
+
+
+def can_be(block: Block, n: int, rows: Check) -> bool:
+    """Say whether nothing is found in a block of n runs."""
+    return next(iter(rows(replace(block, n=n))), None) is None
 
 
 def least_runs(block: Block, rows: Check) -> int | None:
@@ -15,7 +20,7 @@ def least_runs(block: Block, rows: Check) -> int | None:
 
     Rows that need more than the usual count, too: they say what is unlikely.
     """
-    return next((n for n in TRIED if not rows(replace(block, n=n))), None)
+    return next((n for n in TRIED if can_be(block, n, rows)), None)
 
 
 def rows_at_any_number(block: Block, rows: Check) -> list[AuditRow]:
@@ -23,7 +28,10 @@ def rows_at_any_number(block: Block, rows: Check) -> list[AuditRow]:
 
     Those that differ with it hold up to the greatest that was tried, and say so.
     """
-    few, many = (rows(replace(block, n=n)) for n in (TRIED[0], TRIED[-1]))
+    many = list(rows(replace(block, n=TRIED[-1])))
+    if not many:
+        return []
+    few = rows(replace(block, n=TRIED[0]))
     same = {(row.check, row.column, row.explanation) for row in few}
     told = f"the number of runs is at most {TRIED[-1]}"
     return [

@@ -4,6 +4,7 @@ import math
 from dataclasses import dataclass
 from decimal import Decimal, localcontext
 from fractions import Fraction
+from functools import lru_cache
 
 from repro.tables.published import Printed, PublishedTable
 
@@ -53,6 +54,7 @@ class Span:
         return self.low <= other.high and other.low <= self.high
 
 
+@lru_cache(maxsize=1 << 16)
 def exact(number: float) -> Fraction:
     """Return the decimal number that a float was read from."""
     return Fraction(repr(float(number)))

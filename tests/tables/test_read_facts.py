@@ -76,3 +76,19 @@ def test_only_numbers_that_a_check_looks_at_count_as_checked() -> None:
 
     assert (table.cells, table.checked) == (6, 3)
     assert "checked 3 of 6 numbers" in paragraph(table)
+
+
+COLUMNS = '"Tests over 26 functions"\nComparison,wins,ties,losses\nWOA vs PSO,17,2,{losses}\n'
+
+
+def test_columns_of_wins_ties_and_losses_are_counted() -> None:
+    right, wrong = audited(COLUMNS, losses="7"), audited(COLUMNS, losses="9")
+
+    assert right.rows == ()
+    assert [row.explanation for row in wrong.rows] == ["17 + 2 + 9 = 28, for 26 problems"]
+
+
+def test_a_column_of_losses_alone_is_a_cost() -> None:
+    table = audited("Algorithm,Loss\nPSO,0.25\nGWO,0.5\n")
+
+    assert (table.rows, table.checked) == ((), 0)
