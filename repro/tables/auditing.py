@@ -21,6 +21,7 @@ from repro.tables.read_facts import facts_of, places_of
 from repro.tables.read_ranks import with_ranks
 from repro.tables.repeats import repeat_rows
 from repro.tables.rows import AuditRow
+from repro.tables.statistic_words import SPREADS
 from repro.tables.texts import Form, tables_in
 
 _SPREADS = {"std": "std", "variance": "variance", "sem": "standard error"}
@@ -193,7 +194,12 @@ def _floor(minimum: Fraction, title: str) -> FunctionBounds:
 
 def _checked(blocks: Sequence[Block], facts: Sequence[Fact]) -> int:
     """Return how many numbers a check looks at."""
-    cells = [cell for block in blocks for cell in block.cells.values()]
+    cells = [
+        cell
+        for block in blocks
+        for name, cell in block.cells.items()
+        if name not in SPREADS or name == block.spread  # of two spreads checks read one
+    ]
     cells += [cell for fact in facts for cell in places_of(fact)]
     return len(set(map(id, cells)))  # two columns of one heading may print the same number
 

@@ -51,7 +51,7 @@ def ways(block: Block) -> list[Arithmetic]:
     printed = [cell.printed for cell in block.cells.values()]
     zeros = any(is_bare_zero(each, scientific=block.scientific) for each in printed)
     told = block.given.significant
-    whole = told is None and any(rounded_at(each) for each in printed)
+    whole = any(rounded_at(each) for each in printed)
     boxed = block.function is not None and block.function.only_in_box
     spread = block.spread is not None
     is_open = (zeros, whole, boxed, spread)

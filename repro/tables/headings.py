@@ -17,7 +17,8 @@ _PATTERNS = {
     "rank": r"rank(?:ing|s)?|rk|排名|排序",
     "success rate": r"suc(?:c|cess)?\.?(?:ess(?:ful)?)?\s?(?:rate|ratio|%)|sr|hit\s?rate|success"
     r"|成功率",
-    "sem": r"sem|s\.e\.m?\.?|std\.?\s?err(?:or|\.)?|standard\serror(?:\sof\sthe\smean)?|标准误",
+    "sem": r"sem|std\.?\sof\s(?:the\s)?mean|s\.e\.m?\.?|std\.?\s?err(?:or|\.)?"
+    r"|standard\serror(?:\sof\sthe\smean)?|标准误",
     "variance": r"var(?:iance|\.)?|σ\s?(?:\^2|²)|std\.?\s?\^2|方差|varianz|varianza",
     "std": r"st(?:andar)?d?\.?[\s_-]*dev(?:iations?|s|\.)?|std[ae]?v?(?:dev)?\.?|stdv\.?|stdev"
     r"|s\.d\.?|sd|standard|st\.?\s?d(?:ev)?\.?|σ|sigma|标准差|均方差|écart[\s-]type"
@@ -116,7 +117,7 @@ _PROBLEM_NAME = re.compile(
 def statistics_in(label: str) -> tuple[tuple[str, ...], str]:
     """Return the statistics that a heading names, in its order, and what else it says."""
     text = _CAMEL.sub(" ", plain(label))[:200]
-    lowered = text.lower()
+    lowered = text.lower().replace("_", " ")
     if len(lowered) != len(text):  # a few letters have longer lower forms
         text = lowered
     found: list[tuple[int, int, str]] = []

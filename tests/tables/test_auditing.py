@@ -65,3 +65,9 @@ def test_without_n_only_blocks_that_are_shown_are_tried_further() -> None:
     (says,) = [g.says for g in found.guesses if g.says.startswith("without n")]
     assert says.startswith("without n, 0 of 9 blocks can be from n = 2 on; F0 from n = 40")
     assert says.endswith("F5 from n = 40; …")
+
+
+def test_of_two_spreads_only_the_one_that_checks_read_is_counted() -> None:
+    (found,) = audit_text("F,Mean,Std,SEM\nF1,1.0,0.3,0.1\n", AuditOptions(runs=9))
+
+    assert (found.cells, found.checked) == (3, 2)

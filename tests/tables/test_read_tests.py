@@ -31,6 +31,13 @@ def test_each_p_of_a_line_has_its_own_decision() -> None:
     assert wrong.checked == 8
 
 
+def test_pairs_of_p_and_h_that_nothing_names_apart_are_read_in_order() -> None:
+    text = "Function,p,h,p,h\nF1,0.3,0,{second},1\n"
+
+    assert checks(audited(text, second="0.001")) == []
+    assert checks(audited(text, second="0.3")) == ["p-decision"]
+
+
 def test_a_decision_is_held_against_the_level_of_the_caption() -> None:
     assert checks(audited(PAIRS, level="1 %", first="0.0230")) == []
     assert checks(audited(PAIRS, AuditOptions(alpha=0.05), level="1 %", first="0.0230")) == [

@@ -8,6 +8,7 @@ from repro.errors import InputError
 from repro.tables.audit_options import AuditOptions
 from repro.tables.auditing import AuditedTable, audit_text, audited
 from repro.tables.grids import grid
+from repro.tables.headings import statistics_in
 from repro.tables.texts import Form, form_of, tables_in
 
 CSV = "F,Algorithm,Best,Mean,Worst,Std\nF1,WOA,1.0,2.0,3.0,0.5\n,PSO,1.5,2.5,3.5,0.6\n"
@@ -170,3 +171,21 @@ def test_formula_is_text() -> None:
     )
 
     assert [(each.text, table.cells) for each in table.skipped] == [("=1+2", 1)]
+
+
+@pytest.mark.parametrize(
+    ("heading", "statistics"),
+    [
+        ("mean_rank", ("average rank",)),
+        ("std_of_mean", ("sem",)),
+        ("success_rate", ("success rate",)),
+        ("std_dev", ("std",)),
+        ("# wins", ("wins",)),
+        ("No. of losses", ("losses",)),
+        ("Mean loss", ("mean",)),
+    ],
+)
+def test_headings_with_underscores_and_counts_are_known(
+    heading: str, statistics: tuple[str, ...]
+) -> None:
+    assert statistics_in(heading)[0] == statistics
