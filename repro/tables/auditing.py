@@ -4,7 +4,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from fractions import Fraction
 from functools import partial
-from itertools import chain
 from typing import Any
 
 from repro.tables.arithmetic import IN_DOUBLES, NARROWEST, joined
@@ -103,10 +102,10 @@ def _audited(
     own = {(b.problem_name, b.algorithm): b for b in blocks if b.quantity == "cost"}
     level = level_of(table.text, options)
     facts = facts_of(table, own, options, runs=runs, level=level, maximised=maximised)
-    rows = _rows(file, blocks, facts, runs)
+    rows = list(_rows(file, blocks, facts, runs))
     errors = None if maximised else errors_guess(table, options)
     if errors:
-        rows = chain(rows, _if_errors(file, blocks, runs))
+        rows.extend(list(_if_errors(file, blocks, runs, rows)))
     told = [each for each in (guess, errors) if each]
     open_n = list(_possible(blocks)) if runs is None else []
     return AuditedTable(
@@ -221,18 +220,22 @@ def _of_block(file: str, block: Block, runs: int | None) -> Iterator[AuditRow]:
         yield from rows_at_any_number(block, partial(block_rows, file))
 
 
-def _if_errors(file: str, blocks: Sequence[Block], runs: int | None) -> Iterator[AuditRow]:
-    """Yield what blocks say only if none of their values is below 0."""
+def _if_errors(
+    file: str, blocks: Sequence[Block], runs: int | None, found: Sequence[AuditRow]
+) -> Iterator[AuditRow]:
+    """Yield what blocks say only if none of their values is below 0, beside what is `found`."""
     floor = _floor(Fraction(0), "an error")
+    known = [(row.check, row.cells) for row in found]
     for block in blocks:
-        if block.function is None and block.quantity == "cost":
-            known = {(row.check, row.column) for row in _of_block(file, block, runs)}
+        best = block.span("best")
+        is_above = best is not None and best.low >= 0  # then the floor tells nothing more
+        if block.function is None and block.quantity == "cost" and not is_above:
             for row in _of_block(file, replace(block, function=floor), runs):
-                if (row.check, row.column) not in known:
+                if (row.check, row.cells) not in known:
                     yield replace(row, condition=joined((row.condition, NO_NEGATIVE)))
 
 
-def _in_precision(rows: Iterator[AuditRow], precision: str | None) -> Iterator[AuditRow]:
+def _in_precision(rows: Sequence[AuditRow], precision: str | None) -> Iterator[AuditRow]:
     """Yield the rows that hold in the precision that is told, without what it settles."""
     for row in rows:
         conditions = (row.condition or "").split(", and ")
