@@ -1,8 +1,10 @@
 """A benchmark function of one's own: a cost of any dimension, with its true minimum."""
 
+from fractions import Fraction
+
 import numpy as np
 
-from repro.functions import Function
+from repro.functions import Function, Known
 from repro.optimisers import DE
 
 
@@ -19,6 +21,12 @@ QUARTIC = Function(
     minimum=0.0,
     at=(0.0,),
     source="made up for this page",
+    known=Known(
+        of=quartic,
+        ceiling=lambda n: Fraction(n * (n + 1), 2) * Fraction(128, 100) ** 4,  # at a corner
+        ceiling_on=((-1.28, 1.28),),
+        least_of_all_space=True,
+    ),
 )
 
 if __name__ == "__main__":

@@ -1,7 +1,8 @@
 """What an object is, as text: its value, the objects that it holds, and the source that it names.
 
-Fields are taken from `__dict__` and `__slots__`; left out are results that `cached_property` keeps
-and names that begin with `_cached`, which are for caches. What an `identity` says counts besides.
+Fields are taken from `__dict__` and `__slots__`; left out are results that `cached_property` keeps,
+names that begin with `_cached`, which are for caches, and fields of a dataclass whose metadata is
+`SAID`: they say something of an object, and decide no run. What an `identity` says counts besides.
 """
 
 import enum
@@ -22,6 +23,8 @@ from repro.determinism.statements import lambdas_of, meaning
 from repro.errors import DeclarationError
 
 CACHE = "_cached"
+SAID = types.MappingProxyType({"repro": "decides no run"})
+"""Metadata of a dataclass field that holds words, or facts that no run uses."""
 _PLAIN = (bool, int, float, complex, str, bytes, type(None), type(Ellipsis), type(NotImplemented))
 _BUILT_IN = (types.BuiltinFunctionType, types.WrapperDescriptorType, types.MethodDescriptorType)
 _UFUNC = "_dispatcher"
@@ -203,8 +206,9 @@ _CONTAINERS = (Mapping, set, frozenset, tuple, list, np.ndarray, int, float, com
 
 
 def fields_of(value: object) -> Iterable[tuple[str, object]]:
-    """Return the names and values that an object holds, without what it keeps as a cache."""
+    """Return the names and values that an object holds, without caches and what is but said."""
     kind = type(value)
+    said = {n for n, f in getattr(kind, "__dataclass_fields__", {}).items() if f.metadata == SAID}
     names = [
         name
         for one in kind.__mro__
@@ -216,6 +220,7 @@ def fields_of(value: object) -> Iterable[tuple[str, object]]:
         (name, getattr(value, name))
         for name in dict.fromkeys(names)
         if not name.startswith(CACHE)
+        and name not in said
         and not isinstance(getattr(kind, name, None), functools.cached_property)
         and hasattr(value, name)
     ]

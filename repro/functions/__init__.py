@@ -6,9 +6,10 @@ from collections.abc import Mapping
 from types import MappingProxyType
 
 from repro.functions.function import BenchmarkProblem, Function
+from repro.functions.known import Known
 from repro.functions.own import BoxProblem
 
-__all__ = ["FUNCTIONS", "BenchmarkProblem", "BoxProblem", "Function", "classical"]
+__all__ = ["FUNCTIONS", "BenchmarkProblem", "BoxProblem", "Function", "Known", "classical"]
 
 _NUMBERED = (
     "sphere", "schwefel_2_22", "schwefel_1_2", "schwefel_2_21", "rosenbrock", "step",

@@ -6,11 +6,13 @@ float64 from solutions of 50 digits.
 """
 
 import math
+from fractions import Fraction
 
 import numpy as np
 
 from repro.determinism.compiled import jit
 from repro.functions.function import Function
+from repro.functions.known import Known
 
 _YAO = "Yao, Liu & Lin (1999)"
 
@@ -63,6 +65,7 @@ kowalik = Function(
     at=(0.192833452982508579, 0.190836238782629149, 0.123117296277857121, 0.135765989981537030),
     source=f"{_YAO}, f15",
     fixed_dimension=4,
+    # no ceiling: its denominators vanish inside the box
 )
 six_hump_camel = Function(
     name="six_hump_camel",
@@ -74,6 +77,16 @@ six_hump_camel = Function(
     source=f"{_YAO}, f16",
     fixed_dimension=2,
     cancels=(2.0, 0.0),  # 4 v² at the minimum
+    known=Known(
+        of=_six_hump_camel,
+        # the cubic in u² has its inner peak, below 3, near u² = 1.46 and is greatest at u² = 25; so
+        # is 4 v⁴ - 4 v², which is convex in v²
+        ceiling=lambda _: 100 - Fraction(21, 10) * 625 + Fraction(5**6, 3) + 25 + 2400,
+        ceiling_on=((-5.0, 5.0), (-5.0, 5.0)),
+        # above 0 outside, even with -(u² + v²) / 2 in the place of uv
+        least_of_all_space=True,
+        cancelled=4,
+    ),
 )
 branin = Function(
     name="branin",
@@ -85,6 +98,15 @@ branin = Function(
     source=f"{_YAO}, f17",
     fixed_dimension=2,
     cancels=(10.0, 0.0),
+    known=Known(
+        of=_branin,
+        # convex in v, so greatest at v = -5 or 15; there below 378 but for v = -5 and u <= -4,
+        # where the bowl is at least -22.1875 and cos u at most cos 5
+        ceiling=lambda _: Fraction(221875, 10000) ** 2 + Fraction(27244, 10000) + 10,
+        ceiling_on=((-5.0, 10.0), (-5.0, 15.0)),
+        least_of_all_space=True,
+        cancelled=30,
+    ),
 )
 goldstein_price = Function(
     name="goldstein_price",
@@ -96,4 +118,12 @@ goldstein_price = Function(
     source=f"{_YAO}, f18",
     fixed_dimension=2,
     cancels=(432.0, 0.0),  # 48 v at the minimum, times the 9 of the square before it
+    known=Known(
+        of=_goldstein_price,
+        # Bernstein coefficients of the polynomial on parts of the box are below
+        ceiling=lambda _: Fraction(1015691),
+        ceiling_on=((-2.0, 2.0), (-2.0, 2.0)),
+        least_of_all_space=True,
+        cancelled=1000,
+    ),
 )

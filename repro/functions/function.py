@@ -1,13 +1,15 @@
 """What a benchmark function is: a cost with its box and its true minimum."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from repro.determinism.held_values import SAID
 from repro.determinism.plain_costs import callable_cost, check_cost
 from repro.errors import InputError
+from repro.functions.known import NOTHING, Known
 
 Vector = NDArray[np.float64]
 
@@ -28,21 +30,25 @@ class Function:
     A kernel whose `noise` is above 0 adds a draw from 0 to below that at every evaluation, from a
     state of `noise_room` numbers at the start of its second argument (see repro.determinism.noise).
     Where no run put one there it adds nothing, and `minimum` is that without noise.
+
+    What is `known` of its values is what an audit holds printed ones against; with `title` and
+    `source` it decides no run, and no key of one.
     """
 
     name: str
-    title: str
+    title: str = field(metadata=SAID)
     kernel: Any
     box: tuple[tuple[float, float], ...]
     minimum: float
     at: tuple[float, ...]
-    source: str
+    source: str = field(metadata=SAID)
     fixed_dimension: int | None = None
     needs_room: bool = False
     cancels: tuple[float, float] = (0.0, 0.0)
     adds_up: bool = False
     noise: float = 0.0
     noise_room: int = 0
+    known: Known = field(default=NOTHING, compare=False, metadata=SAID)
 
     def __post_init__(self) -> None:
         """Raise DeclarationError for a kernel that is no cost."""
@@ -56,6 +62,11 @@ class Function:
             raise InputError(message)
         problem = self.problem(len(point))
         return callable_cost(self.kernel)(point, problem.data)
+
+    @property
+    def bounds_known(self) -> Known:
+        """What is known of this kernel; nothing where that was said of another one."""
+        return self.known if self.known.of is self.kernel else NOTHING
 
     def minimiser(self, dimension: int | None = None) -> Vector:
         """Return one point of shape (dimension,) that attains the minimum."""

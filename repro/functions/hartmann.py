@@ -6,11 +6,13 @@ float64 from solutions of 50 digits.
 """
 
 import math
+from fractions import Fraction
 
 import numpy as np
 
 from repro.determinism.compiled import jit
 from repro.functions.function import Function
+from repro.functions.known import Known
 
 _YAO = "Yao, Liu & Lin (1999)"
 
@@ -73,6 +75,14 @@ hartmann_3 = Function(
     at=(0.114614338589671976, 0.555648849971856935, 0.852546953520865785),
     source=f"{_YAO}, f19",
     fixed_dimension=3,
+    known=Known(
+        of=_hartmann_3,
+        ceiling=lambda _: Fraction(0),
+        ceiling_on=((0.0, 1.0), (0.0, 1.0), (0.0, 1.0)),
+        # the point of the box next to one outside is nearer to every well, in every coordinate
+        least_of_all_space=True,
+        cancelled=16,
+    ),
 )
 hartmann_6 = Function(
     name="hartmann_6",
@@ -90,4 +100,12 @@ hartmann_6 = Function(
     ),
     source=f"{_YAO}, f20, with p_32 = 0.1415 as the programs of the wolf and whale papers have it",
     fixed_dimension=6,
+    known=Known(
+        of=_hartmann_6,
+        ceiling=lambda _: Fraction(0),
+        ceiling_on=((0.0, 1.0),) * 6,
+        # the point of the box next to one outside is nearer to every well, in every coordinate
+        least_of_all_space=True,
+        cancelled=16,
+    ),
 )

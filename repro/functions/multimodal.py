@@ -7,10 +7,12 @@ arXiv:1308.4008 (2013), has it.
 """
 
 import math
+from fractions import Fraction
 
 from repro.determinism.compiled import jit
 from repro.determinism.sines import cosine_of_turns
 from repro.functions.function import Function
+from repro.functions.known import Known
 
 _YAO = "Yao, Liu & Lin (1999)"
 
@@ -83,6 +85,11 @@ schwefel_2_26 = Function(
     source=f"{_YAO}, f8",
     needs_room=True,
     adds_up=True,
+    known=Known(
+        of=_schwefel_2_26,
+        ceiling=lambda n: Fraction(500 * n),  # no sine is above 1
+        ceiling_on=((-500.0, 500.0),),
+    ),
 )
 rastrigin = Function(
     name="rastrigin",
@@ -94,6 +101,15 @@ rastrigin = Function(
     source=f"{_YAO}, f9",
     needs_room=True,
     cancels=(0.0, 10.0),
+    known=Known(
+        of=_rastrigin,
+        ceiling=lambda n: n * (Fraction(512, 100) ** 2 + 20),
+        ceiling_on=((-5.12, 5.12),),
+        least_of_all_space=True,
+        step=2.0**-49,
+        condition="x² is first added to 10 or to −10 cos(2πx), as the formula reads from left to "
+        "right and with 10n added at the end: both terms of size 10 are multiples of this step",
+    ),
 )
 ackley = Function(
     name="ackley",
@@ -105,6 +121,16 @@ ackley = Function(
     source=f"{_YAO}, f10",
     needs_room=True,
     cancels=(20.0 + math.e, 0.0),
+    known=Known(
+        of=_ackley,
+        ceiling=lambda _: Fraction(23),  # 20 + e and no less than 0 taken away
+        ceiling_on=((-32.0, 32.0),),
+        least_of_all_space=True,
+        step=2.0**-51,
+        condition="the four terms are computed as doubles and then added, in whatever order: "
+        "near the minimum each of them, 20 and e included, is a multiple of this step",
+        cancelled=46,
+    ),
 )
 griewank = Function(
     name="griewank",
@@ -116,6 +142,12 @@ griewank = Function(
     source=f"{_YAO}, f11",
     needs_room=True,
     cancels=(1.0, 0.0),
+    known=Known(
+        of=_griewank,
+        ceiling=lambda n: n * Fraction(600**2, 4000) + 2,
+        ceiling_on=((-600.0, 600.0),),
+        least_of_all_space=True,
+    ),
 )
 alpine_1 = Function(
     name="alpine_1",
@@ -125,4 +157,10 @@ alpine_1 = Function(
     minimum=0.0,
     at=(0.0,),  # one of the 8 zeros of every coordinate: x = 0 and sin(x) = -0.1
     source="Jamil & Yang (2013), Alpine 1",
+    known=Known(
+        of=_alpine_1,
+        ceiling=lambda n: Fraction(11 * n),
+        ceiling_on=((-10.0, 10.0),),
+        least_of_all_space=True,
+    ),
 )

@@ -4,9 +4,12 @@ X. Yao, Y. Liu, G. Lin, Evolutionary programming made faster, IEEE Transactions 
 Computation 3(2) (1999) 82-102, doi:10.1109/4235.771163.
 """
 
+from fractions import Fraction
+
 from repro.determinism.compiled import jit
 from repro.determinism.noise import ROOM, noise
 from repro.functions.function import Function
+from repro.functions.known import Known
 
 
 @jit
@@ -28,4 +31,11 @@ quartic_noise = Function(
     source="Yao, Liu & Lin (1999), f7",
     noise=1.0,
     noise_room=ROOM,
+    known=Known(
+        of=_quartic_noise,
+        # the sum of i up to n, and noise below 1
+        ceiling=lambda n: Fraction(n * (n + 1), 2) * Fraction(128, 100) ** 4 + 1,
+        ceiling_on=((-1.28, 1.28),),
+        least_of_all_space=True,
+    ),
 )

@@ -5,10 +5,12 @@ Computation 3(2) (1999) 82-102, doi:10.1109/4235.771163.
 """
 
 import math
+from fractions import Fraction
 
 from repro.determinism.compiled import jit
 from repro.determinism.sines import squared_sine
 from repro.functions.function import Function
+from repro.functions.known import Known
 
 _YAO = "Yao, Liu & Lin (1999)"
 
@@ -60,6 +62,12 @@ def _penalized_2(x, room):
     return 0.1 * total + penalty
 
 
+def _most_of_penalized_1(n: int) -> Fraction:
+    """Return 355/113 > π over n times the greatest terms, and the penalty at 50."""
+    step = Fraction(51, 4) ** 2  # (y - 1)² at x = 50
+    return Fraction(355, 113) / n * (10 + step + 11 * (n - 1) * step) + n * 100 * 40**4
+
+
 penalized_1 = Function(
     name="penalized_1",
     title="Generalized penalized function 1",
@@ -69,6 +77,12 @@ penalized_1 = Function(
     at=(-1.0,),
     source=f"{_YAO}, f12",
     needs_room=True,
+    known=Known(
+        of=_penalized_1,
+        ceiling=_most_of_penalized_1,
+        ceiling_on=((-50.0, 50.0),),
+        least_of_all_space=True,
+    ),
 )
 penalized_2 = Function(
     name="penalized_2",
@@ -79,4 +93,10 @@ penalized_2 = Function(
     at=(1.0,),
     source=f"{_YAO}, f13",
     needs_room=True,
+    known=Known(
+        of=_penalized_2,
+        ceiling=lambda n: n * 100 * 45**4 + Fraction(1 + 2 * n * 51**2, 10),
+        ceiling_on=((-50.0, 50.0),),
+        least_of_all_space=True,
+    ),
 )

@@ -5,10 +5,13 @@ Computation 3(2) (1999) 82-102, doi:10.1109/4235.771163. Minima and minimisers a
 float64 from solutions of 50 digits.
 """
 
+from fractions import Fraction
+
 import numpy as np
 
 from repro.determinism.compiled import jit
 from repro.functions.function import Function
+from repro.functions.known import Known
 
 _YAO = "Yao, Liu & Lin (1999)"
 
@@ -81,6 +84,13 @@ foxholes = Function(
     at=(-31.97833483565696, -31.97833483730080),
     source=f"{_YAO}, f14",
     fixed_dimension=2,
+    known=Known(
+        of=_foxholes,
+        ceiling=lambda _: Fraction(500),
+        ceiling_on=((-65.536, 65.536), (-65.536, 65.536)),
+        least_of_all_space=True,
+        cancelled=4,
+    ),
 )
 shekel_5 = Function(
     name="shekel_5",
@@ -91,6 +101,14 @@ shekel_5 = Function(
     at=(4.00003715281967623, 4.00013327659156009, 4.00003715281967623, 4.00013327659156009),
     source=f"{_YAO}, f21",
     fixed_dimension=4,
+    known=Known(
+        of=_shekel_5,
+        ceiling=lambda _: Fraction(0),
+        ceiling_on=((0.0, 10.0),) * 4,
+        # the point of the box next to one outside is nearer to every well, in every coordinate
+        least_of_all_space=True,
+        cancelled=16,
+    ),
 )
 shekel_7 = Function(
     name="shekel_7",
@@ -101,6 +119,14 @@ shekel_7 = Function(
     at=(4.00057291618582335, 4.00068936618530425, 3.99948970885915061, 3.99960615885863151),
     source=f"{_YAO}, f22",
     fixed_dimension=4,
+    known=Known(
+        of=_shekel_7,
+        ceiling=lambda _: Fraction(0),
+        ceiling_on=((0.0, 10.0),) * 4,
+        # the point of the box next to one outside is nearer to every well, in every coordinate
+        least_of_all_space=True,
+        cancelled=16,
+    ),
 )
 shekel_10 = Function(
     name="shekel_10",
@@ -111,4 +137,12 @@ shekel_10 = Function(
     at=(4.00074653159204672, 4.00059293413853200, 3.99966339804032230, 3.99950980058680758),
     source=f"{_YAO}, f23",
     fixed_dimension=4,
+    known=Known(
+        of=_shekel_10,
+        ceiling=lambda _: Fraction(0),
+        ceiling_on=((0.0, 10.0),) * 4,
+        # the point of the box next to one outside is nearer to every well, in every coordinate
+        least_of_all_space=True,
+        cancelled=16,
+    ),
 )

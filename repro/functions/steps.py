@@ -6,9 +6,11 @@ The programs of the whale and wolf papers leave that out, which makes it a spher
 """
 
 import math
+from fractions import Fraction
 
 from repro.determinism.compiled import jit
 from repro.functions.function import Function
+from repro.functions.known import Known
 
 _YAO = "Yao, Liu & Lin (1999)"
 
@@ -38,6 +40,12 @@ step = Function(
     minimum=0.0,
     at=(-0.5,),
     source=f"{_YAO}, f6, as the programs of the wolf and whale papers have it",
+    known=Known(
+        of=_step,
+        ceiling=lambda n: n * Fraction(1005, 10) ** 2,
+        ceiling_on=((-100.0, 100.0),),
+        least_of_all_space=True,
+    ),
 )
 step_floor = Function(
     name="step_floor",
@@ -47,4 +55,10 @@ step_floor = Function(
     minimum=0.0,
     at=(0.0,),  # as good: all of [-1/2, 1/2) in every coordinate
     source=f"{_YAO}, f6",
+    known=Known(
+        of=_step_floor,
+        ceiling=lambda n: Fraction(n * 100**2),
+        ceiling_on=((-100.0, 100.0),),
+        least_of_all_space=True,
+    ),
 )

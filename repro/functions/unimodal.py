@@ -4,8 +4,11 @@ X. Yao, Y. Liu, G. Lin, Evolutionary programming made faster, IEEE Transactions 
 Computation 3(2) (1999) 82-102, doi:10.1109/4235.771163.
 """
 
+from fractions import Fraction
+
 from repro.determinism.compiled import jit
 from repro.functions.function import Function
+from repro.functions.known import Known
 
 _YAO = "Yao, Liu & Lin (1999)"
 
@@ -63,6 +66,12 @@ sphere = Function(
     minimum=0.0,
     at=(0.0,),
     source=f"{_YAO}, f1",
+    known=Known(
+        of=_sphere,
+        ceiling=lambda n: Fraction(n * 100**2),
+        ceiling_on=((-100.0, 100.0),),
+        least_of_all_space=True,
+    ),
 )
 schwefel_2_22 = Function(
     name="schwefel_2_22",
@@ -72,6 +81,12 @@ schwefel_2_22 = Function(
     minimum=0.0,
     at=(0.0,),
     source=f"{_YAO}, f2",
+    known=Known(
+        of=_schwefel_2_22,
+        ceiling=lambda n: Fraction(10 * n + 10**n),
+        ceiling_on=((-10.0, 10.0),),
+        least_of_all_space=True,
+    ),
 )
 schwefel_1_2 = Function(
     name="schwefel_1_2",
@@ -81,6 +96,12 @@ schwefel_1_2 = Function(
     minimum=0.0,
     at=(0.0,),
     source=f"{_YAO}, f3",
+    known=Known(
+        of=_schwefel_1_2,
+        ceiling=lambda n: Fraction(100**2 * n * (n + 1) * (2 * n + 1), 6),
+        ceiling_on=((-100.0, 100.0),),
+        least_of_all_space=True,
+    ),
 )
 schwefel_2_21 = Function(
     name="schwefel_2_21",
@@ -90,6 +111,12 @@ schwefel_2_21 = Function(
     minimum=0.0,
     at=(0.0,),
     source=f"{_YAO}, f4",
+    known=Known(
+        of=_schwefel_2_21,
+        ceiling=lambda _: Fraction(100),
+        ceiling_on=((-100.0, 100.0),),
+        least_of_all_space=True,
+    ),
 )
 rosenbrock = Function(
     name="rosenbrock",
@@ -99,4 +126,10 @@ rosenbrock = Function(
     minimum=0.0,
     at=(1.0,),
     source=f"{_YAO}, f5",
+    known=Known(
+        of=_rosenbrock,
+        ceiling=lambda n: Fraction((n - 1) * (100 * (30 + 30**2) ** 2 + 31**2)),
+        ceiling_on=((-30.0, 30.0),),
+        least_of_all_space=True,
+    ),
 )

@@ -8,9 +8,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from repro.audit.blocks import CEILINGS, LEAST_OF_ALL_SPACE, bounds_of
+from repro.audit.blocks import bounds_of
 from repro.functions import FUNCTIONS
 from tests.summaries import audited, most, scientific, summary
+
+CEILINGS = {n: f.known.ceiling for n, f in FUNCTIONS.items() if f.known.ceiling}
+LEAST_OF_ALL_SPACE = [n for n, f in FUNCTIONS.items() if f.known.least_of_all_space]
 
 
 def dimension(name: str) -> int:

@@ -15,7 +15,7 @@ from papers.smwoa2022 import PAPER as SMWOA
 from papers.syji import PAPER as SYJI
 from repro.audit import AuditRow, Grade, audit
 from repro.audit.blocks import bounds_of
-from repro.functions import FUNCTIONS
+from repro.functions import FUNCTIONS, Known
 from repro.model.paper import Paper
 from repro.tables.arithmetic import IN_DOUBLES
 from tests.small_papers import Bowl
@@ -163,7 +163,7 @@ def test_the_last_digits_of_a_whole_number_may_be_rounded_away() -> None:
 
 
 def test_a_minimum_of_the_box_alone_binds_no_run_that_may_leave_it() -> None:
-    own = replace(FUNCTIONS["shekel_5"], name="of the paper's own").problem()
+    own = replace(FUNCTIONS["shekel_5"], known=Known()).problem()
     inside, everywhere = (
         rows_on(problem, {"best": "-99.0"}, n=30)
         for problem in (own, FUNCTIONS["shekel_5"].problem())

@@ -1,5 +1,6 @@
 import sys
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -7,6 +8,7 @@ import pytest
 
 from repro.determinism.source_digests import digest_of, told
 from repro.errors import DeclarationError
+from repro.functions import FUNCTIONS, Known
 from tests.determinism.edited_packages import Package, forget, package
 
 __all__ = ["package"]
@@ -332,6 +334,15 @@ def test_caches_of_an_object_do_not_count(package: Package) -> None:
     vars(module.SEARCH)["_cached_rows"] = [1]
 
     assert digest_of(module.SEARCH) == before
+
+
+def test_what_is_but_said_of_a_function_does_not_count() -> None:
+    sphere = FUNCTIONS["sphere"]
+    before = digest_of(sphere.problem(3))
+
+    renamed = replace(sphere, title="A bowl", source="A book", known=Known())
+    assert digest_of(renamed.problem(3)) == before
+    assert digest_of(replace(sphere, minimum=1.0).problem(3)) != before
 
 
 @pytest.mark.parametrize(
