@@ -7,8 +7,6 @@ often and never too seldom.
 
 import builtins
 import hashlib
-import re
-import sys
 from collections.abc import Iterable, Iterator
 from functools import cache
 from typing import NamedTuple
@@ -18,15 +16,9 @@ from repro.determinism.source_files import (
     is_of_engine,
     is_own,
     path_of,
-    text_of,
-    users_modules,
 )
 from repro.determinism.statements import Statement, Target, meaning, statements_of
 
-# a line at the margin that begins no definition, import, comment, text or assignment to a name
-_ACTS = re.compile(
-    r"^(?!(def|class|async|from|import)\b|[@#\"')\]}\s]|\w+\s*(:[^=\n]*)?=[^=])", re.MULTILINE
-)
 _DEPTH = 50  # imports that hand a name on; more is a circle
 
 
@@ -101,7 +93,7 @@ def exists(definition: Definition) -> bool:
 
 def changes_in_runs(one: Definition) -> bool:
     """Return whether a function of its module changes what a name stands for."""
-    return any(one.name not in statement.binds for statement in _making(one))
+    return any(s.is_body and one.name not in s.binds for s in _making(one))
 
 
 @cache
@@ -269,19 +261,11 @@ def _has_state(one: Definition) -> bool:
 
 
 def _beside(found: set[Definition]) -> list[str]:
-    """Return the modules that may change what is reached: those of it, and a user's around it."""
+    """Return the modules that may change what is reached: those of it, and what a user's import.
+
+    No others, whatever is loaded: else a run had another key beside other papers.
+    """
     inside = {one.module for one in found if is_own(one.module)}
     users = {name for name in inside if not is_of_engine(name)}
     around = {name for module in users for name in import_closure(module)}
-    around |= {name for name in changing_modules(len(sys.modules)) if _touches(name, inside)}
     return sorted(inside | around)
-
-
-def _touches(module: str, others: set[str]) -> bool:
-    return not others.isdisjoint(imported_modules(module))
-
-
-@cache
-def changing_modules(_: int) -> tuple[str, ...]:
-    """Return the users' modules that do more than to bind names; anew for every number loaded."""
-    return tuple(name for name in users_modules() if _ACTS.search(text_of(name)))

@@ -4,6 +4,7 @@ What a digest follows and what it leaves out stands in docs/determinism.md.
 """
 
 import sys
+import types
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
@@ -95,12 +96,22 @@ def _sources(roots: frozenset[Definition]) -> Parts:
 
 
 def _loaded(found: Reached) -> Iterator[tuple[Definition, object]]:
-    """Yield what a user's names stand for now: it may come from a file, or be set from elsewhere.
+    """Yield what names stand for now: it may come from a file, or be set from elsewhere.
 
-    What functions change while runs go is left out.
+    What functions change while runs go is left out, and of the engine what is as it was written.
     """
     for one in found:
-        if one.name and not is_of_engine(one.module) and is_own(one.module):
+        if one.name and is_own(one.module):
             names = vars(sys.modules.get(one.module, object))
-            if one.name in names and not changes_in_runs(one):
+            if one.name in names and not changes_in_runs(one) and _may_be_set(one, names[one.name]):
                 yield one, names[one.name]
+
+
+def _may_be_set(one: Definition, value: object) -> bool:
+    """Return whether a value may be another one than its definition makes, as far as it shows."""
+    if not is_of_engine(one.module):
+        return True
+    made = getattr(value, "py_func", value)
+    if isinstance(made, type | types.FunctionType):
+        return (made.__module__, made.__qualname__) != (one.module, one.name)
+    return isinstance(value, int | float | str | tuple)

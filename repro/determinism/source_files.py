@@ -100,14 +100,3 @@ def is_package(module: str) -> bool:
     """Return whether a module is the `__init__` of a package."""
     path = path_of(module)
     return path is not None and path.name == "__init__.py"
-
-
-def users_modules() -> tuple[str, ...]:
-    """Return the loaded modules that are a user's own, or a paper's."""
-    return tuple(
-        sorted(
-            name
-            for name, module in list(sys.modules.items())
-            if getattr(module, "__file__", None) and not is_of_engine(name) and is_own(name)
-        )
-    )

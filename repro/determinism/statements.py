@@ -9,6 +9,8 @@ from typing import NamedTuple
 from repro.determinism.names_used import Chain, Names, arguments_of, walk
 from repro.determinism.source_files import is_package, tree_of
 
+_BODIES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
+
 
 class Target(NamedTuple):
     """What an import names: a module, and a name in it unless that is empty."""
@@ -38,6 +40,11 @@ class Statement:
     def is_import(self) -> bool:
         """Whether it imports and does nothing else."""
         return isinstance(self.node, ast.Import | ast.ImportFrom)
+
+    @property
+    def is_body(self) -> bool:
+        """Whether it is a function or a class: what it changes, it may change later."""
+        return isinstance(self.node, _BODIES)
 
 
 @cache
@@ -73,7 +80,7 @@ def _statement(node: ast.stmt, module: str) -> Statement:
     found = Names()
     found.visit(node, frozenset(), "top")
     imports = tuple(pair for part in nodes for pair in _imports(part, module))
-    inside = isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef)
+    inside = isinstance(node, _BODIES)
     bound = set() if inside else {name for name, _ in imports}
     return Statement(
         node=node,

@@ -42,5 +42,17 @@ class Known:
             return None
         return self.ceiling(dimension)
 
+    def __reduce__(self) -> tuple[type["Known"], tuple[()]]:
+        """Stay at home: no run asks for bounds, and a lambda cannot travel to a worker."""
+        return Known, ()
+
+    def __copy__(self) -> "Known":
+        """Return the same, which nothing can change."""
+        return self
+
+    def __deepcopy__(self, memo: object) -> "Known":
+        """Return the same, which nothing can change."""
+        return self
+
 
 NOTHING = Known()

@@ -1,3 +1,4 @@
+import importlib
 import sys
 from collections.abc import Callable
 from dataclasses import replace
@@ -9,6 +10,7 @@ import pytest
 from repro.determinism.source_digests import digest_of, told
 from repro.errors import DeclarationError
 from repro.functions import FUNCTIONS, Known
+from repro.optimisers import DE, WOA
 from tests.determinism.edited_packages import Package, forget, package
 
 __all__ = ["package"]
@@ -334,6 +336,51 @@ def test_caches_of_an_object_do_not_count(package: Package) -> None:
     vars(module.SEARCH)["_cached_rows"] = [1]
 
     assert digest_of(module.SEARCH) == before
+
+
+STRANGER = """
+from . import paper, table, constants
+for _note in ("more",):
+    paper.NOTES.append(_note)
+{act}
+"""
+
+
+@pytest.mark.parametrize(
+    ("act", "counts"), [("", False), ("table.ROWS[0] = 4", True), ("constants.STEP = 3.0", True)]
+)
+def test_a_module_beside_counts_by_what_it_sets_and_not_by_being_loaded(
+    package: Package, act: str, *, counts: bool
+) -> None:
+    search = package.load(FILES | {"stranger.py": STRANGER.format(act=act)}).SEARCH
+    before = digest_of(search)
+
+    importlib.import_module(f"{package.name}.stranger")
+    forget()
+
+    assert (digest_of(search) != before) is counts
+
+
+@pytest.mark.parametrize(
+    ("place", "value"),
+    [
+        ("repro.optimisers.differential_evolution._LEAST", 5),
+        ("repro.optimisers.differential_evolution.DE", WOA),
+    ],
+)
+def test_a_name_of_the_engine_that_is_set_from_outside_counts(
+    place: str, value: object, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    search = DE()
+    before = digest_of(search)
+
+    monkeypatch.setattr(place, value)
+    forget()
+    after = digest_of(search)
+    monkeypatch.undo()
+    forget()
+
+    assert after != before == digest_of(search)
 
 
 def test_what_is_but_said_of_a_function_does_not_count() -> None:

@@ -14,7 +14,6 @@ from typing import Any
 
 from numba.core.dispatcher import Dispatcher
 
-from repro.functions.known import Known
 from repro.runs.plan import Task
 from repro.runs.run import Record
 
@@ -45,8 +44,6 @@ class _Pickler(pickle.Pickler):
             module, name = value.py_func.__module__, value.py_func.__qualname__
             if getattr(sys.modules.get(module), name, None) is value:
                 return _named, (module, name)
-        if isinstance(value, Known):  # no run asks for it, and its lambdas cannot travel
-            return Known, ()
         return NotImplemented
 
 

@@ -122,6 +122,7 @@ class Watched:
     done: list[int]
     gate: Event
     lock: Lock
+    identity = "held back"  # a lock has no value that could be told
 
     def minimise(self, problem: Problem, **budget: Unpack[Budget]) -> Result:  # noqa: ARG002
         """Wait for the gate, then count."""
