@@ -1,7 +1,6 @@
 """What no declaration may say of experiments and claims: a line a fault, all in one pass."""
 
 import dataclasses
-import difflib
 import math
 from collections.abc import Iterable, Iterator
 from typing import Any
@@ -11,17 +10,13 @@ import numpy as np
 from repro.errors import ReproError
 from repro.model.claims import CellClaim, Claim
 from repro.model.experiment import Experiment
+from repro.model.known_words import known_words, shown_value
 from repro.model.measures.measure import Statistic
 from repro.optimisers.search import DeclaresSpending, TellsQuantities
 from repro.statistics.named import KNOWN, is_known
 
 _COUNTS = ("population", "iterations", "runs")
 _DEPTH = 8  # measures of measures
-
-
-def shown_value(value: object) -> str:
-    """Return a value on one line, cut where it is long."""
-    return " ".join(f"{value!r:.60}".split())
 
 
 def text_faults(place: str, of: object, names: Iterable[str]) -> Iterator[str]:
@@ -52,7 +47,7 @@ def protocol_faults(experiment: Experiment) -> Iterator[str]:
         if not getattr(experiment, kind):
             yield f"{name} has no {kind}: leave out an experiment that runs nothing"
     if experiment.algorithms and experiment.proposed not in experiment.algorithms:
-        known = _known(experiment.proposed, experiment.algorithms)
+        known = known_words(experiment.proposed, experiment.algorithms)
         yield f"{name}, proposed: {experiment.proposed!r} is no algorithm of it; {known}"
 
 
@@ -140,13 +135,13 @@ def _cell_faults(
     for name, problem, algorithm in cells:
         experiment = runs.get(name)
         if experiment is None:
-            yield f"{where}: no experiment {name!r}; {_known(name, runs)}"
+            yield f"{where}: no experiment {name!r}; {known_words(name, runs)}"
             continue
         if problem not in experiment.problems:
-            known = _known(problem, experiment.problems)
+            known = known_words(problem, experiment.problems)
             yield f"{where}: experiment {name!r} has no problem {problem!r}; {known}"
         if algorithm not in experiment.algorithms:
-            known = _known(algorithm, experiment.algorithms)
+            known = known_words(algorithm, experiment.algorithms)
             yield f"{where}: experiment {name!r} has no algorithm {algorithm!r}; {known}"
 
 
@@ -166,7 +161,8 @@ def _statistic_faults(
     where: str, statistic: Statistic, runs: dict[str, Experiment]
 ) -> Iterator[str]:
     if not is_known(statistic.statistic):
-        yield f"{where}: no statistic {statistic.statistic!r}; {_known(statistic.statistic, KNOWN)}"
+        known = known_words(statistic.statistic, KNOWN)
+        yield f"{where}: no statistic {statistic.statistic!r}; {known}"
     quantity = statistic.quantity
     problem = runs[statistic.experiment].problems[statistic.problem]
     if quantity == "cost" or statistic.follows:
@@ -178,11 +174,3 @@ def _statistic_faults(
         problem.quantity(quantity, np.asarray(problem.bounds, dtype=np.float64).mean(axis=1))  # type: ignore[attr-defined]
     except ReproError as error:
         yield f"{where}: {' '.join(str(error).split())}"
-
-
-def _known(word: str, among: Iterable[str]) -> str:
-    """Return what there is, the nearest first."""
-    names = list(among)
-    near = difflib.get_close_matches(str(word), names, n=1)
-    hint = f"did you mean {near[0]!r}? " if near else ""
-    return f"{hint}there is {', '.join(map(repr, names)) or 'none'}"
