@@ -2,7 +2,8 @@
 
 from repro.functions import FUNCTIONS
 from repro.model.assumptions import Alternative, Assumption
-from repro.model.claims import Sentence, every_cell, lowest_everywhere
+from repro.model.cells import every_cell
+from repro.model.claims import Sentence, lowest_everywhere
 from repro.model.experiment import Experiment
 from repro.model.figures import Convergence, Motion
 from repro.model.measures.measure import Statistic

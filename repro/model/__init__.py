@@ -1,14 +1,12 @@
 """All that a paper module says, in one import."""
 
 from repro.model.assumptions import Alternative, Assumption
+from repro.model.cells import Role, computed_cells, every_cell
 from repro.model.claims import (
     CellClaim,
     Claim,
-    Role,
     Sentence,
     as_one,
-    computed_cells,
-    every_cell,
     lowest_everywhere,
     not_counted,
     ranked,

@@ -9,9 +9,9 @@ def shown_value(value: object) -> str:
     return " ".join(f"{value!r:.60}".split())
 
 
-def known_words(word: object, among: Iterable[str]) -> str:
+def known_words(word: object, among: Iterable[object]) -> str:
     """Return what there is, the nearest first."""
-    names = list(among)
+    names = {str(each): each for each in among}
     near = difflib.get_close_matches(str(word), names, n=1)
-    hint = f"did you mean {near[0]!r}? " if near else ""
-    return f"{hint}there is {', '.join(map(repr, names)) or 'none'}"
+    hint = f"did you mean {names[near[0]]!r}? " if near else ""
+    return f"{hint}there is {', '.join(map(repr, names.values())) or 'none'}"
