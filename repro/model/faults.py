@@ -12,11 +12,25 @@ from repro.model.claims import CellClaim, Claim
 from repro.model.experiment import Experiment
 from repro.model.known_words import known_words, shown_value
 from repro.model.measures.measure import Statistic
-from repro.optimisers.search import DeclaresSpending, TellsQuantities
+from repro.optimisers.search import (
+    DeclaresSpending,
+    TellsQuantities,
+    every_agent_once,
+    hands_to_search,
+)
 from repro.statistics.named import KNOWN, is_known
 
 _COUNTS = ("population", "iterations", "runs")
 _DEPTH = 8  # measures of measures
+_MANY = 2**20  # agents: enough for any search
+
+
+class _Point:
+    """A problem without any coordinate, which nothing can search."""
+
+    bounds = data = np.empty(0)
+    kernel = None
+    identity = ()
 
 
 def text_faults(place: str, of: object, names: Iterable[str]) -> Iterator[str]:
@@ -106,17 +120,41 @@ def _has(problem: object, part: str) -> bool:
 
 
 def _budget_faults(name: str, experiment: Experiment) -> Iterator[str]:
-    if experiment.evaluations is None:
-        return
+    """Yield what each search cannot work with, as it says itself."""
+    population, evaluations = experiment.population, experiment.evaluations
     for algorithm, optimiser in experiment.algorithms.items():
-        if isinstance(optimiser, DeclaresSpending):
-            cost = optimiser.spending(experiment.population)
-            least = cost.start + cost.each
-            if experiment.evaluations < least:
+        if refused := _refused_population(optimiser, population):
+            yield f"{name}, algorithm {algorithm!r}: {refused}"
+        elif evaluations is not None and not _is_no_count(evaluations):
+            own = isinstance(optimiser, DeclaresSpending)
+            cost = optimiser.spending(population) if own else every_agent_once(population)
+            if evaluations < cost.start + cost.each:
                 yield (
-                    f"{name}, evaluations is {experiment.evaluations}; one iteration of "
-                    f"{algorithm!r} takes {least}"
+                    f"{name}, evaluations is {evaluations}; one iteration of {algorithm!r} takes "
+                    f"{cost.start + cost.each}"
                 )
+
+
+def _refused_population(optimiser: Any, population: int) -> str:  # noqa: ANN401 (any search)
+    """Return why a search refuses a population; nothing where it does not, or cannot be asked.
+
+    It is asked without any budget, so that it never runs, and of a great population besides: what
+    it says of that is of the budget.
+    """
+    if not hands_to_search(optimiser):
+        return ""
+    own, of_many = (_refusal(optimiser, each) for each in (population, _MANY))
+    return "" if own == of_many else own
+
+
+def _refusal(optimiser: Any, population: int) -> str:  # noqa: ANN401 (any search)
+    try:
+        optimiser.minimise(_Point(), population=population, rng=np.random.default_rng(0))
+    except ReproError as error:
+        return str(error)
+    except Exception:  # noqa: BLE001 (a search of one's own, which may look at its budget first)
+        return ""
+    return ""
 
 
 def _tolerance_faults(where: str, claim: Claim) -> Iterator[str]:

@@ -11,10 +11,12 @@ from repro.model.assumptions import Assumption, alternative_faults
 from repro.model.claims import CellClaim, Claim, Sentence, left_open
 from repro.model.experiment import Experiment
 from repro.model.faults import claim_faults, experiment_faults, text_faults
+from repro.model.figure_faults import FIGURES, RELATIONS, figure_faults, relation_faults
 from repro.model.figures import Figure
 from repro.model.known_words import shown_value
 from repro.model.measures.measure import Statistic
 from repro.model.open_points import Erratum, Gap
+from repro.model.reading_faults import reading_faults
 from repro.model.table_alone import TableAlone, alone_faults
 from repro.tables.published import PublishedTable
 from repro.tables.relations import Relation
@@ -116,7 +118,7 @@ class Paper:
             "experiments": Experiment, "inputs": PublishedTable, "results": PublishedTable,
             "audited": TableAlone, "claims": (CellClaim, Sentence), "assumptions": Assumption,
             "errata": Erratum, "gaps": Gap, "formulas": Formula, "motion_readings": MotionReading,
-            "together": str,
+            "figures": FIGURES, "relations": RELATIONS, "together": str,
         }  # fmt: skip
         for name, kind in kinds.items():
             for k, each in enumerate(getattr(self, name), start=1):
@@ -140,17 +142,28 @@ class Paper:
         own = [fault for each in self.experiments for fault in experiment_faults(each)]
         yield from (f"{self.key}, {fault}" for fault in own)
         if not own:
-            for claim in self.claims:
-                yield from (
-                    f"{self.key}, {fault}" for fault in claim_faults(claim, self.experiments)
-                )
+            yield from (f"{self.key}, {fault}" for fault in self._faults_of_runs())
         for alone in self.audited:
             yield from (f"{self.key}, {fault}" for fault in alone_faults(alone))
         yield from self._unclaimed_cells()
         yield from self._audited_twice()
         yield from self._readings_of_nothing()
-        found = alternative_faults(self.assumptions, self.together, self.experiments)
-        yield from (f"{self.key}, {fault}" for fault in found)
+        assumed = [assumption.what for assumption in self.assumptions]
+        for fault in (
+            *alternative_faults(self.assumptions, self.together, self.experiments),
+            *figure_faults(self.figures, self.experiments, assumed),
+            *relation_faults(self.relations, self.tables),
+        ):
+            yield f"{self.key}, {fault}"
+
+    def _faults_of_runs(self) -> Iterator[str]:
+        """Yield what is wrong with what is asked of experiments, which are sound themselves."""
+        for claim in self.claims:
+            yield from claim_faults(claim, self.experiments)
+        if not list(alternative_faults(self.assumptions, (), self.experiments)):
+            for assumption in self.assumptions:
+                for alternative in assumption.alternatives:
+                    yield from reading_faults(alternative, self.experiments, self.said)
 
     @property
     def tables(self) -> tuple[PublishedTable, ...]:
@@ -215,4 +228,5 @@ class Paper:
 
 def _words(kind: type | tuple[type, ...]) -> str:
     kinds = kind if isinstance(kind, tuple) else (kind,)
-    return " or ".join(each.__name__ for each in kinds)
+    *first, last = [each.__name__ for each in kinds]
+    return f"{', '.join(first)} or {last}" if first else last
