@@ -19,7 +19,7 @@ from pathlib import Path
 import numpy as np
 
 from repro.judge.findings import findings_of
-from repro.model.claims import every_cell
+from repro.model.cells import every_cell
 from repro.model.paper import Paper
 from repro.model.tolerances import Percent
 from repro.runs.gather import gather

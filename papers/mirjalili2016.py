@@ -3,8 +3,8 @@
 from dataclasses import replace
 
 from repro.model import (
-    Between, CellClaim, Experiment, FromMinimum, PublishedTable, as_one, every_cell, prose, runs_of,
-    says_in_words,
+    Between, CellClaim, Experiment, FromMinimum, Gap, PublishedTable, as_one, every_cell,
+    prose, runs_of, says_in_words,
 )  # fmt: skip
 from repro.functions import FUNCTIONS, classical
 from repro.optimisers import WOA, HybridWOA
@@ -69,6 +69,12 @@ LEFT = {
 WITHIN = FromMinimum(percent=25)
 
 
+def _left_in(table: PublishedTable) -> dict[str, Gap]:
+    """Return what of a table is left to gaps."""
+    names = {*table.row_names, *(name.rpartition(" ")[0] for name in table.column_names)}
+    return {name: gap for name, gap in LEFT.items() if name in names}
+
+
 def cells(table: PublishedTable) -> tuple[CellClaim, ...]:
     """Return the claims of a table whose columns are headed by an algorithm and a statistic."""
     return tuple(
@@ -76,7 +82,7 @@ def cells(table: PublishedTable) -> tuple[CellClaim, ...]:
         for heading, statistic in (("ave", "mean"), ("std", "std"))
         for claim in every_cell(
             table, of=BENCHMARK, rows=("problem",), columns="algorithm", within=WITHIN,
-            given={"statistic": statistic}, without=LEFT,
+            given={"statistic": statistic}, without=_left_in(table),
             names={name: name.rpartition(" ")[0] for name in table.column_names})
         if claim.column.endswith(heading)
     )  # fmt: skip

@@ -1,12 +1,14 @@
 """Doe & Roe (2021): an invented paper of a few runs, for the tests of pages and of joining."""
 
 from repro.functions import FUNCTIONS
-from repro.model.claims import Sentence, every_cell, lowest_everywhere
+from repro.model.assumptions import Alternative, Assumption
+from repro.model.cells import every_cell
+from repro.model.claims import Sentence, lowest_everywhere
 from repro.model.experiment import Experiment
 from repro.model.figures import Convergence, Motion
 from repro.model.measures.measure import Statistic
 from repro.model.open_points import Erratum, Gap
-from repro.model.paper import Alternative, Assumption, Paper, Source
+from repro.model.paper import Paper, Source
 from repro.model.tolerances import Absolute, Percent
 from repro.optimisers import PSO, WOA
 from repro.robotics import MinimumTime, quintic

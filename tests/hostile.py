@@ -14,9 +14,11 @@ from pathlib import Path
 
 from repro.commands.written_pages import write_pages
 from repro.errors import DeclarationError
-from repro.model.claims import Sentence, every_cell
+from repro.model.assumptions import Alternative, Assumption
+from repro.model.cells import every_cell
+from repro.model.claims import Sentence
 from repro.model.open_points import Erratum, Gap
-from repro.model.paper import Alternative, Assumption, Paper, Source
+from repro.model.paper import Paper, Source
 from repro.model.tolerances import Between, Percent
 from repro.runs.plan import plan
 from repro.runs.run import execute

@@ -3,8 +3,9 @@
 import math
 from dataclasses import replace
 
+from repro.model.assumptions import Assumption
 from repro.model.figures import Arm, ArmMotion
-from repro.model.paper import Assumption, Paper
+from repro.model.paper import Paper
 from repro.robotics import MinimumTime, quintic
 from tests.doe2021 import PAPER
 

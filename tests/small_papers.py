@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from repro.commands.catalogue import folders
 from repro.commands.paper_modules import Declared
 from repro.determinism.compiled import jit
-from repro.model.claims import every_cell
+from repro.model.cells import every_cell
 from repro.model.evidence import Cell, Evidence, Runs
 from repro.model.experiment import Experiment
 from repro.model.paper import Paper, Source

@@ -9,6 +9,7 @@ a place to look.
 from collections.abc import Callable, Iterator
 from typing import Any
 
+from repro.audit.alone import tables_alone
 from repro.audit.blocks import blocks
 from repro.audit.poses import pose_rows
 from repro.audit.sentences import sentence_rows
@@ -50,6 +51,8 @@ def audit(paper: Paper) -> tuple[AuditRow, ...]:
 def _rows(paper: Paper) -> Iterator[AuditRow]:
     found = blocks(paper)
     yield from rows_of_blocks(paper.key, found)
+    for table in tables_alone(paper):
+        yield from table.rows
     yield from time_rows(paper)
     yield from sentence_rows(paper)
     for relation in paper.relations:

@@ -1,11 +1,15 @@
 """`repro audit`: what the printed tables say about themselves."""
 
 from argparse import Namespace
+from collections.abc import Iterator
 
 from repro.audit import audit
+from repro.audit.alone import tables_alone
 from repro.commands import catalogue
 from repro.commands.shown_rows import show
 from repro.model.paper import Paper
+from repro.report.words import count_of
+from repro.tables.audit_words import read_lines, read_words
 
 
 def run(options: Namespace) -> int:
@@ -19,12 +23,20 @@ def run(options: Namespace) -> int:
         f"{f'; holds if {row.condition}' if row.condition else ''}"
         for row in rows
     ]
-    lines += [_nothing(paper) for paper in papers if not found[paper.key]]
+    for paper in papers:
+        lines.extend(_looked_at(paper, nothing=not found[paper.key]))
     return show(rows, lines, as_json=options.json)
 
 
-def _nothing(paper: Paper) -> str:
-    """Return what was looked at where nothing was found."""
-    tables = (*paper.inputs, *paper.results)
-    numbers = sum(1 for table in tables for _ in table.places())
-    return f"{paper.key}: nothing found; {len(tables)} tables of {numbers} numbers are declared"
+def _looked_at(paper: Paper, *, nothing: bool) -> Iterator[str]:
+    """Yield what was read of tables that no run stands behind, and what was where nothing is."""
+    if nothing:
+        numbers = sum(1 for table in paper.tables for _ in table.places())
+        declared = f"{count_of(len(paper.tables), 'table')} of {count_of(numbers, 'number')}"
+        yield (
+            f"{paper.key}: nothing found; {declared} "
+            f"{'is' if len(paper.tables) == 1 else 'are'} declared"
+        )
+    for table in tables_alone(paper):
+        yield read_words(table)
+        yield from read_lines(table, flag="")

@@ -9,20 +9,22 @@ from typing import Any
 
 from repro.commands.table_files import FORMS, STANDARD_INPUT, WORKBOOKS, is_workbook
 from repro.errors import InputError
-from repro.tables.audit_options import PRECISIONS, SPREADS, TESTS, TIES, AuditOptions
+from repro.tables.audit_options import (
+    CHOICES,
+    FLAGS,
+    NUMBERS,
+    PRECISIONS,
+    SPREADS,
+    TESTS,
+    TIES,
+    AuditOptions,
+    option_faults,
+)
 from repro.tables.blocks import FunctionBounds
 
 BoundsOf = Callable[[str], FunctionBounds]  # of "sphere@30"
-_FLAGS = ("maximise", "errors", "integers")
-_NUMBERS = ("runs", "significant", "sided", "alpha")
-_CHOICES: Mapping[str, Sequence[str]] = {
-    "precision": PRECISIONS,
-    "spread": SPREADS,
-    "test": TESTS,
-    "ties": TIES,
-}
 _NAMED = ("minimum", "function")
-NAMES = (*_FLAGS, *_NUMBERS, *_CHOICES, *_NAMED)
+NAMES = (*FLAGS, *NUMBERS, *CHOICES, *_NAMED)
 _SUFFIXES = (*FORMS, *WORKBOOKS, ".txt", ".dat")
 
 
@@ -85,11 +87,9 @@ def options_of(name: str, told: Mapping[str, Any], bounds: BoundsOf | None) -> A
         raise InputError(message)
     given = {**beside, **{key: told[key] for key in NAMES if told.get(key) is not None}}
     place = str(_toml(name)) if beside else "the options"
-    for key, choices in _CHOICES.items():
-        if key in given and given[key] not in choices:
-            message = f"{place}: {key} {given[key]!r} is none of {', '.join(choices)}"
-            raise InputError(message)
-    _refuse_wrong_numbers(given, place)
+    for fault in option_faults(given):
+        message = f"{place}: {fault}"
+        raise InputError(message)
     functions = _named(given.get("function"), "function")
     if functions and bounds is None:  # the command module with functions is called for those
         message = f"{place}: functions are not known here"
@@ -101,22 +101,6 @@ def options_of(name: str, told: Mapping[str, Any], bounds: BoundsOf | None) -> A
         },
         functions={problem: bounds(text) for problem, text in functions} if bounds else {},
     )
-
-
-def _refuse_wrong_numbers(given: Mapping[str, Any], place: str) -> None:
-    for key, least, most in (("runs", 1, 10**9), ("significant", 1, 17), ("sided", 1, 2)):
-        value = given.get(key)
-        if value is not None and (type(value) is not int or not least <= value <= most):
-            message = f"{place}: {key} {value!r} is no whole number from {least} to {most}"
-            raise InputError(message)
-    alpha = given.get("alpha")
-    if alpha is not None and not (isinstance(alpha, int | float) and 0 < alpha < 1):
-        message = f"{place}: alpha {alpha!r} does not lie between 0 and 1"
-        raise InputError(message)
-    for key in _FLAGS:
-        if key in given and not isinstance(given[key], bool):
-            message = f"{place}: {key} {given[key]!r} is neither true nor false"
-            raise InputError(message)
 
 
 def _named(told: object, key: str) -> list[tuple[str, str]]:

@@ -58,7 +58,7 @@ def _row(paper: Paper, repeats: int, finished: frozenset[str], store: Path) -> R
     return {
         "key": paper.key,
         "title": paper.source.title,
-        "tables": [table.label for table in (*paper.inputs, *paper.results)],
+        "tables": [table.label for table in paper.tables],
         "claims": len(paper.claims),
         "experiments": experiments,
         "studies": others,

@@ -11,7 +11,8 @@ from repro.determinism.seeds import generator
 from repro.functions import BenchmarkProblem
 from repro.judge.findings import LEVEL, judged
 from repro.judge.verdict import Verdict
-from repro.model.claims import CellClaim, every_cell
+from repro.model.cells import every_cell
+from repro.model.claims import CellClaim
 from repro.model.evidence import Evidence, Runs
 from repro.model.experiment import Experiment
 from repro.model.measures.measure import TABLES

@@ -7,7 +7,7 @@ from itertools import pairwise
 import numpy as np
 
 from repro.judge.verdict import HELD, Verdict
-from repro.model.paper import Assumption
+from repro.model.assumptions import Assumption
 from repro.model.tolerances import Interval
 from repro.runs.readings import Reading
 from repro.statistics.rank_sum import holm

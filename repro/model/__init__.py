@@ -1,13 +1,12 @@
 """All that a paper module says, in one import."""
 
+from repro.model.assumptions import Alternative, Assumption
+from repro.model.cells import Role, computed_cells, every_cell
 from repro.model.claims import (
     CellClaim,
     Claim,
-    Role,
     Sentence,
     as_one,
-    computed_cells,
-    every_cell,
     lowest_everywhere,
     not_counted,
     ranked,
@@ -47,8 +46,9 @@ from repro.model.measures.measure import (
 )
 from repro.model.measures.ranks import Contest, ContestPlace, Firsts, MeanRank, RankSum, Samples
 from repro.model.open_points import Erratum, Gap
-from repro.model.paper import Alternative, Assumption, Formula, MotionReading, Paper, Source
+from repro.model.paper import Formula, MotionReading, Paper, Source
 from repro.model.prose import Prose, prose
+from repro.model.table_alone import TableAlone
 from repro.model.tolerances import (
     Absolute,
     Between,

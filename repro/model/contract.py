@@ -3,17 +3,17 @@
 from collections import Counter
 from collections.abc import Iterable, Iterator
 
+from repro.model.assumptions import Assumption
 from repro.model.claims import CellClaim
-from repro.model.paper import Assumption, Paper
+from repro.model.paper import Paper
 
 
 def contract_faults(paper: Paper) -> Iterator[str]:
     """Yield what no paper may do, a line each."""
-    tables = (*paper.inputs, *paper.results)
-    for label, times in Counter(table.label for table in tables).items():
+    for label, times in Counter(table.label for table in paper.tables).items():
         if times > 1:
             yield f"{times} tables are called {label!r}: a label names one table"
-    for table in tables:
+    for table in paper.tables:
         if table.where == table.label:
             yield f"{table.label}: it does not say where it stands, as in '{table.label}, p. 3'"
     yield from _without_a_place(paper)

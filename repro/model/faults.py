@@ -1,7 +1,6 @@
 """What no declaration may say of experiments and claims: a line a fault, all in one pass."""
 
 import dataclasses
-import difflib
 import math
 from collections.abc import Iterable, Iterator
 from typing import Any
@@ -11,17 +10,27 @@ import numpy as np
 from repro.errors import ReproError
 from repro.model.claims import CellClaim, Claim
 from repro.model.experiment import Experiment
+from repro.model.known_words import known_words, shown_value
 from repro.model.measures.measure import Statistic
-from repro.optimisers.search import DeclaresSpending, TellsQuantities
+from repro.optimisers.search import (
+    DeclaresSpending,
+    TellsQuantities,
+    every_agent_once,
+    hands_to_search,
+)
 from repro.statistics.named import KNOWN, is_known
 
 _COUNTS = ("population", "iterations", "runs")
 _DEPTH = 8  # measures of measures
+_MANY = 2**20  # agents: enough for any search
 
 
-def shown_value(value: object) -> str:
-    """Return a value on one line, cut where it is long."""
-    return " ".join(f"{value!r:.60}".split())
+class _Point:
+    """A problem without any coordinate, which nothing can search."""
+
+    bounds = data = np.empty(0)
+    kernel = None
+    identity = ()
 
 
 def text_faults(place: str, of: object, names: Iterable[str]) -> Iterator[str]:
@@ -52,7 +61,7 @@ def protocol_faults(experiment: Experiment) -> Iterator[str]:
         if not getattr(experiment, kind):
             yield f"{name} has no {kind}: leave out an experiment that runs nothing"
     if experiment.algorithms and experiment.proposed not in experiment.algorithms:
-        known = _known(experiment.proposed, experiment.algorithms)
+        known = known_words(experiment.proposed, experiment.algorithms)
         yield f"{name}, proposed: {experiment.proposed!r} is no algorithm of it; {known}"
 
 
@@ -111,17 +120,41 @@ def _has(problem: object, part: str) -> bool:
 
 
 def _budget_faults(name: str, experiment: Experiment) -> Iterator[str]:
-    if experiment.evaluations is None:
-        return
+    """Yield what each search cannot work with, as it says itself."""
+    population, evaluations = experiment.population, experiment.evaluations
     for algorithm, optimiser in experiment.algorithms.items():
-        if isinstance(optimiser, DeclaresSpending):
-            cost = optimiser.spending(experiment.population)
-            least = cost.start + cost.each
-            if experiment.evaluations < least:
+        if refused := _refused_population(optimiser, population):
+            yield f"{name}, algorithm {algorithm!r}: {refused}"
+        elif evaluations is not None and not _is_no_count(evaluations):
+            own = isinstance(optimiser, DeclaresSpending)
+            cost = optimiser.spending(population) if own else every_agent_once(population)
+            if evaluations < cost.start + cost.each:
                 yield (
-                    f"{name}, evaluations is {experiment.evaluations}; one iteration of "
-                    f"{algorithm!r} takes {least}"
+                    f"{name}, evaluations is {evaluations}; one iteration of {algorithm!r} takes "
+                    f"{cost.start + cost.each}"
                 )
+
+
+def _refused_population(optimiser: Any, population: int) -> str:  # noqa: ANN401 (any search)
+    """Return why a search refuses a population; nothing where it does not, or cannot be asked.
+
+    It is asked without any budget, so that it never runs, and of a great population besides: what
+    it says of that is of the budget.
+    """
+    if not hands_to_search(optimiser):
+        return ""
+    own, of_many = (_refusal(optimiser, each) for each in (population, _MANY))
+    return "" if own == of_many else own
+
+
+def _refusal(optimiser: Any, population: int) -> str:  # noqa: ANN401 (any search)
+    try:
+        optimiser.minimise(_Point(), population=population, rng=np.random.default_rng(0))
+    except ReproError as error:
+        return str(error)
+    except Exception:  # noqa: BLE001 (a search of one's own, which may look at its budget first)
+        return ""
+    return ""
 
 
 def _tolerance_faults(where: str, claim: Claim) -> Iterator[str]:
@@ -140,13 +173,13 @@ def _cell_faults(
     for name, problem, algorithm in cells:
         experiment = runs.get(name)
         if experiment is None:
-            yield f"{where}: no experiment {name!r}; {_known(name, runs)}"
+            yield f"{where}: no experiment {name!r}; {known_words(name, runs)}"
             continue
         if problem not in experiment.problems:
-            known = _known(problem, experiment.problems)
+            known = known_words(problem, experiment.problems)
             yield f"{where}: experiment {name!r} has no problem {problem!r}; {known}"
         if algorithm not in experiment.algorithms:
-            known = _known(algorithm, experiment.algorithms)
+            known = known_words(algorithm, experiment.algorithms)
             yield f"{where}: experiment {name!r} has no algorithm {algorithm!r}; {known}"
 
 
@@ -166,7 +199,8 @@ def _statistic_faults(
     where: str, statistic: Statistic, runs: dict[str, Experiment]
 ) -> Iterator[str]:
     if not is_known(statistic.statistic):
-        yield f"{where}: no statistic {statistic.statistic!r}; {_known(statistic.statistic, KNOWN)}"
+        known = known_words(statistic.statistic, KNOWN)
+        yield f"{where}: no statistic {statistic.statistic!r}; {known}"
     quantity = statistic.quantity
     problem = runs[statistic.experiment].problems[statistic.problem]
     if quantity == "cost" or statistic.follows:
@@ -178,11 +212,3 @@ def _statistic_faults(
         problem.quantity(quantity, np.asarray(problem.bounds, dtype=np.float64).mean(axis=1))  # type: ignore[attr-defined]
     except ReproError as error:
         yield f"{where}: {' '.join(str(error).split())}"
-
-
-def _known(word: str, among: Iterable[str]) -> str:
-    """Return what there is, the nearest first."""
-    names = list(among)
-    near = difflib.get_close_matches(str(word), names, n=1)
-    hint = f"did you mean {near[0]!r}? " if near else ""
-    return f"{hint}there is {', '.join(map(repr, names)) or 'none'}"

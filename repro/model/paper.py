@@ -2,16 +2,22 @@
 
 import re
 from collections import Counter
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, fields
+from collections.abc import Iterator
+from dataclasses import dataclass, fields
 from typing import Any
 
 from repro.errors import DeclarationError
+from repro.model.assumptions import Assumption, alternative_faults
 from repro.model.claims import CellClaim, Claim, Sentence, left_open
 from repro.model.experiment import Experiment
-from repro.model.faults import claim_faults, experiment_faults, shown_value, text_faults
+from repro.model.faults import claim_faults, experiment_faults, text_faults
+from repro.model.figure_faults import FIGURES, RELATIONS, figure_faults, relation_faults
 from repro.model.figures import Figure
+from repro.model.known_words import shown_value
+from repro.model.measures.measure import Statistic
 from repro.model.open_points import Erratum, Gap
+from repro.model.reading_faults import reading_faults
+from repro.model.table_alone import TableAlone, alone_faults
 from repro.tables.published import PublishedTable
 from repro.tables.relations import Relation
 
@@ -26,57 +32,6 @@ class Source:
     journal: str | None = None
     doi: str | None = None
     note: str = ""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Alternative:
-    """Another choice than ours: what it changes, or why it cannot be tried.
-
-    `name` is short and unique in its paper; the runs are named by it. `algorithms` maps
-    (experiment, algorithm) and `problems` maps (experiment, problem) to what takes its place: an
-    object, or the fields to replace. `protocol` maps an experiment to fields of it to replace
-    (population, iterations, runs). `claims` take the place of the claims on the same cells or
-    sentences. `at` is the value of an open setting. It runs as deep as the protocol where
-    `full_depth` says so. One that the text has `ruled_out` is run and shown as a note: no verdict
-    may turn on it.
-    """
-
-    says: str
-    name: str = ""
-    ruled_out: bool = False
-    at: float | None = None
-    full_depth: bool = False
-    algorithms: Mapping[tuple[str, str], Any] = field(default_factory=dict)
-    problems: Mapping[tuple[str, str], Any] = field(default_factory=dict)
-    protocol: Mapping[str, Mapping[str, int]] = field(default_factory=dict)
-    claims: tuple[Claim, ...] = ()
-    untried: str = ""
-
-    def __str__(self) -> str:
-        """Return what the pages say of it."""
-        return self.says
-
-    @property
-    def changes(self) -> bool:
-        """Whether it changes anything that can be judged again."""
-        return bool(self.algorithms or self.problems or self.protocol or self.claims)
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Assumption:
-    """A value or rule that the paper leaves open: what we chose, among what, and why.
-
-    `open` says that nothing in the paper narrows it down: the alternatives are then points of the
-    range that is tried, and `at` is the value chosen, where the setting is a number.
-    """
-
-    what: str
-    chosen: str
-    alternatives: tuple[Alternative, ...]
-    because: str
-    where: str
-    open: bool = False
-    at: float | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -112,11 +67,12 @@ class Paper:
     """One source paper: everything that is printed, open, wrong or missing, as data.
 
     `inputs` are printed tables that the re-run starts from, `results` those whose every cell is
-    claimed; `relations` say what printed numbers must be to each other; `motion_readings` are
-    motion problems as the paper may also be read; `together` names the alternatives that are also
-    tried in every combination; `summary` says in one sentence what the paper reports; `read_twice`
-    that its tables were transcribed a second time, blind, and agree. A `control` is a paper whose
-    numbers our own programs should make: it says whether these are the papers'.
+    claimed, `audited` those that no run stands behind, with what is told of each; `relations` say
+    what printed numbers must be to each other; `motion_readings` are motion problems as the paper
+    may also be read; `together` names the alternatives that are also tried in every combination;
+    `summary` says in one sentence what the paper reports; `read_twice` that its tables were
+    transcribed a second time, blind, and agree. A `control` is a paper whose numbers our own
+    programs should make: it says whether these are the papers'.
     """
 
     key: str
@@ -125,6 +81,7 @@ class Paper:
     experiments: tuple[Experiment, ...] = ()
     inputs: tuple[PublishedTable, ...] = ()
     results: tuple[PublishedTable, ...] = ()
+    audited: tuple[TableAlone, ...] = ()
     claims: tuple[Claim, ...] = ()
     assumptions: tuple[Assumption, ...] = ()
     errata: tuple[Erratum, ...] = ()
@@ -159,8 +116,9 @@ class Paper:
         """Yield what is not of the kind that its place is for."""
         kinds: dict[str, type | tuple[type, ...]] = {
             "experiments": Experiment, "inputs": PublishedTable, "results": PublishedTable,
-            "claims": (CellClaim, Sentence), "assumptions": Assumption, "errata": Erratum,
-            "gaps": Gap, "formulas": Formula, "motion_readings": MotionReading, "together": str,
+            "audited": TableAlone, "claims": (CellClaim, Sentence), "assumptions": Assumption,
+            "errata": Erratum, "gaps": Gap, "formulas": Formula, "motion_readings": MotionReading,
+            "figures": FIGURES, "relations": RELATIONS, "together": str,
         }  # fmt: skip
         for name, kind in kinds.items():
             for k, each in enumerate(getattr(self, name), start=1):
@@ -184,13 +142,34 @@ class Paper:
         own = [fault for each in self.experiments for fault in experiment_faults(each)]
         yield from (f"{self.key}, {fault}" for fault in own)
         if not own:
-            for claim in self.claims:
-                yield from (
-                    f"{self.key}, {fault}" for fault in claim_faults(claim, self.experiments)
-                )
+            yield from (f"{self.key}, {fault}" for fault in self._faults_of_runs())
+        for alone in self.audited:
+            yield from (f"{self.key}, {fault}" for fault in alone_faults(alone))
         yield from self._unclaimed_cells()
+        yield from self._audited_twice()
         yield from self._readings_of_nothing()
-        yield from self._idle_alternatives()
+        assumed = [assumption.what for assumption in self.assumptions]
+        for fault in (
+            *alternative_faults(self.assumptions, self.together, self.experiments),
+            *figure_faults(self.figures, self.experiments, assumed),
+            *relation_faults(self.relations, self.tables),
+        ):
+            yield f"{self.key}, {fault}"
+
+    def _faults_of_runs(self) -> Iterator[str]:
+        """Yield what is wrong with what is asked of experiments, which are sound themselves."""
+        for claim in self.claims:
+            yield from claim_faults(claim, self.experiments)
+        if not list(alternative_faults(self.assumptions, (), self.experiments)):
+            for assumption in self.assumptions:
+                for alternative in assumption.alternatives:
+                    yield from reading_faults(alternative, self.experiments, self.said)
+
+    @property
+    def tables(self) -> tuple[PublishedTable, ...]:
+        """Every table that is declared, each once."""
+        alone = (each.table for each in self.audited)
+        return tuple(dict.fromkeys((*self.inputs, *self.results, *alone)))
 
     @property
     def said(self) -> tuple[Claim, ...]:
@@ -221,39 +200,19 @@ class Paper:
                 )
                 yield message
 
-    def _idle_alternatives(self) -> Iterator[str]:
-        declared = [
-            alternative
-            for assumption in self.assumptions
-            for alternative in assumption.alternatives
-        ]
-        names = Counter(alternative.name for alternative in declared if alternative.changes)
-        for alternative in declared:
-            place = f"{self.key}, alternative {alternative.says!r}"
-            if bool(alternative.untried) == alternative.changes:
-                message = f"{place} needs either something that it changes, or why it is not tried"
-                yield message
-            if alternative.changes and (not alternative.name or "/" in alternative.name):
-                message = f"{place} needs a name without '/', not {alternative.name!r}"
-                yield message
-            if alternative.changes and names[alternative.name] > 1:
-                message = f"{place}: another alternative has the name {alternative.name!r} too"
-                yield message
-            yield from self._changes_of_nothing(place, alternative)
-        if unknown := set(self.together) - set(names):
-            message = f"{self.key}, together: no alternatives {sorted(unknown)}; {sorted(names)}"
-            yield message
-
-    def _changes_of_nothing(self, place: str, alternative: Alternative) -> Iterator[str]:
-        known = {(e.name, name) for e in self.experiments for name in (*e.problems, *e.algorithms)}
-        for pair in (*alternative.algorithms, *alternative.problems):
-            if pair not in known:
-                message = f"{place}: no {'/'.join(pair)}; there is {sorted(known)}"
-                yield message
-        for name in alternative.protocol:
-            if name not in {e.name for e in self.experiments}:
-                message = f"{place}: no experiment {name!r}"
-                yield message
+    def _audited_twice(self) -> Iterator[str]:
+        labels = [each.table.label for each in self.audited if isinstance(each, TableAlone)]
+        of_runs = {
+            claim.table.label
+            for claim in self.claims
+            if isinstance(claim, CellClaim) and isinstance(claim.measure, Statistic)
+        }
+        for label, times in Counter(labels).items():
+            if times > 1 or label in of_runs:
+                yield (
+                    f"{self.key}, {label}: audited {'twice' if times > 1 else 'alone'}, and "
+                    f"{'once is enough' if times > 1 else 'its claims have it audited already'}"
+                )
 
     def _unclaimed_cells(self) -> Iterator[str]:
         claimed = Counter(claim.place for claim in self.claims)
@@ -269,4 +228,5 @@ class Paper:
 
 def _words(kind: type | tuple[type, ...]) -> str:
     kinds = kind if isinstance(kind, tuple) else (kind,)
-    return " or ".join(each.__name__ for each in kinds)
+    *first, last = [each.__name__ for each in kinds]
+    return f"{', '.join(first)} or {last}" if first else last

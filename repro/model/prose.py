@@ -9,8 +9,9 @@ from types import MappingProxyType
 from typing import Any, TypeVar
 
 from repro.errors import DeclarationError
+from repro.model.assumptions import Alternative, Assumption
 from repro.model.open_points import Erratum, Gap
-from repro.model.paper import Alternative, Assumption, Formula, Paper, Source
+from repro.model.paper import Formula, Paper, Source
 
 T = TypeVar("T")
 Entry = Mapping[str, Any]

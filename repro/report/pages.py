@@ -8,6 +8,7 @@ from pathlib import Path
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 from markupsafe import Markup
 
+from repro.audit.alone import tables_alone
 from repro.judge.findings import LEVEL, Finding
 from repro.judge.judgement import Judgement
 from repro.judge.verdict import Verdict
@@ -50,6 +51,7 @@ from repro.report.words import (
     markdown_cell,
     number,
 )
+from repro.tables.audit_words import read_lines, read_words
 
 Files = dict[str, str]
 ANOTHER_SEED = "another-seed.json"
@@ -109,11 +111,14 @@ def _paper_files(judgement: Judgement, master_seed: str, files: Files) -> Json:
         "not_calibrated": not calibrated,
         "tallies": tallies(found),
         "results": [table_view(table, cells) for table in paper.results],
-        "inputs": [table_view(table, {}) for table in paper.inputs],
+        "inputs": [table_view(table, {}) for table in paper.tables if table not in paper.results],
         "sentences": [s for s in found if s.finding.claim],
         "everything": found,
         **runs.context(),
         "audit": judgement.audit,
+        "alone": [
+            (read_words(table), *read_lines(table, flag="")) for table in tables_alone(paper)
+        ],
         "certificates": [(certificate, time_cells(certificate, own)) for certificate, own in times],
         "readings": readings_view(judgement),
         "besides": judgement.besides,

@@ -10,7 +10,7 @@ from typing import Any
 
 from repro.judge.counting import counts
 from repro.judge.judgement import Judgement
-from repro.model.paper import Assumption
+from repro.model.assumptions import Assumption
 from repro.report.calibration import calibration
 from repro.report.plain_rows import rows_of_standings, rows_of_tests
 from repro.tables.rows import Grade

@@ -58,6 +58,11 @@ def number(value: float | None, digits: int = 4) -> str:
     return f"{mantissa}×10^{int(power)}"
 
 
+def count_of(many: int, noun: str) -> str:
+    """Return how many there are of what a noun names."""
+    return f"{many} {noun}{'s' * (many != 1)}"
+
+
 def digits_for(printed: Printed) -> int:
     """Return one significant digit more than is printed, and at least four."""
     return max(4, len(re.sub(r"\D", "", printed.mantissa).lstrip("0")) + 1)

@@ -5,9 +5,10 @@ from dataclasses import dataclass, replace
 from itertools import combinations
 from typing import Any
 
+from repro.model.assumptions import Alternative, Assumption
 from repro.model.claims import CellClaim, Claim
 from repro.model.experiment import Experiment
-from repro.model.paper import Alternative, Assumption, Paper
+from repro.model.paper import Paper
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,9 +1,10 @@
 """What a caller tells of a table, and what is guessed where nothing is told."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import Literal
+from types import MappingProxyType
+from typing import Any, Literal
 
 from repro.tables.blocks import FunctionBounds
 
@@ -11,6 +12,12 @@ SPREADS = ("std", "variance", "sem")
 TESTS = ("ranksum", "signedrank")
 TIES = ("average", "min", "max", "dense", "ordinal")
 PRECISIONS = ("single", "double")
+CHOICES: Mapping[str, Sequence[str]] = MappingProxyType(
+    {"precision": PRECISIONS, "spread": SPREADS, "test": TESTS, "ties": TIES}
+)
+FLAGS = ("maximise", "errors", "integers")
+NUMBERS = ("runs", "significant", "sided", "alpha")
+_WHOLE = (("runs", 1, 10**9), ("significant", 1, 17), ("sided", 1, 2))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -45,3 +52,20 @@ class Guess:
     option: str = ""
     value: str = ""
     choices: tuple[str, ...] = ()
+
+
+def option_faults(given: Mapping[str, Any]) -> Iterator[str]:
+    """Yield what is told by name and cannot be, with what can; None is not told."""
+    told = {key: value for key, value in given.items() if value is not None}
+    for key, choices in CHOICES.items():
+        if key in told and told[key] not in choices:
+            yield f"{key} {told[key]!r} is none of {', '.join(choices)}"
+    for key, least, most in _WHOLE:
+        if key in told and (type(told[key]) is not int or not least <= told[key] <= most):
+            yield f"{key} {told[key]!r} is no whole number from {least} to {most}"
+    alpha = told.get("alpha", 0.5)
+    if isinstance(alpha, bool) or not (isinstance(alpha, int | float) and 0 < alpha < 1):
+        yield f"alpha {alpha!r} does not lie between 0 and 1"
+    for key in FLAGS:
+        if key in told and not isinstance(told[key], bool):
+            yield f"{key} {told[key]!r} is neither true nor false"

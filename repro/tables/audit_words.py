@@ -11,20 +11,25 @@ _SKIPPED_SHOWN = 8
 
 def paragraph(table: AuditedTable) -> str:
     """Return what was read and what cannot be, with the arithmetic of each."""
+    read = read_words(table)
+    proofs = table.proofs
+    if not proofs:
+        return f"{read}; none is impossible."
+    found = "; ".join(f"({k}) {row_words(row)}" for k, row in enumerate(proofs, 1))
+    return f"{read}; {len(proofs)} cannot be: {found}."
+
+
+def read_words(table: AuditedTable) -> str:
+    """Return how many numbers were read and checked, and the number of runs behind them."""
     skipped = len(table.skipped)
     n = f"n = {table.runs}" if table.runs is not None else "n not told"
     origin = next(
         (guess.says.removeprefix(n) for guess in table.guesses if guess.says.startswith(n)), ""
     )
-    read = (
+    return (
         f"{table.file}, {table.label}: checked {table.checked} of {table.cells + skipped} numbers "
-        f"in {table.blocks} block{'s' * (table.blocks != 1)}; {skipped} skipped; {n}{origin}; "
+        f"in {table.blocks} block{'s' * (table.blocks != 1)}; {skipped} skipped; {n}{origin}"
     )
-    proofs = table.proofs
-    if not proofs:
-        return f"{read}none is impossible."
-    found = "; ".join(f"({k}) {row_words(row)}" for k, row in enumerate(proofs, 1))
-    return f"{read}{len(proofs)} cannot be: {found}."
 
 
 def lines(table: AuditedTable) -> Iterator[str]:
@@ -37,8 +42,13 @@ def lines(table: AuditedTable) -> Iterator[str]:
             if row.grade is Grade.IMPOSSIBLE:
                 words = f"  {kind} {row.condition}: {row_words(row, with_condition=False)}"
             yield words
+    yield from read_lines(table)
+
+
+def read_lines(table: AuditedTable, *, flag: str = "--") -> Iterator[str]:
+    """Yield the guesses, each with the option that overrides it, and what was skipped."""
     for guess in table.guesses:
-        option = f" (--{guess.option})" if guess.option else ""
+        option = f" ({flag}{guess.option})" if guess.option else ""
         yield f"  guess: {guess.says}{option}"
     reasons = Counter(each.because for each in table.skipped)
     for because, times in reasons.most_common(_SKIPPED_SHOWN):

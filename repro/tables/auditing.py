@@ -79,7 +79,7 @@ def audited(
         label = _label(grid, k, len(grids))
         table = with_ranks(gathered(grid, label))
         if table.entries:
-            found.append(_audited(table, grid, options, file=file, context=context))
+            found.append(audited_table(table, grid, options, file=file, context=context))
     return found
 
 
@@ -90,9 +90,10 @@ def _label(grid: Grid, k: int, tables: int) -> str:
     return f"table {k + 1} ({title})" if tables > 1 else title
 
 
-def _audited(
-    table: Gathered, grid: Grid, options: AuditOptions, *, file: str, context: str
+def audited_table(
+    table: Gathered, grid: Grid, options: AuditOptions, *, file: str, context: str = ""
 ) -> AuditedTable:
+    """Return the audit of a table of which it is known what its numbers are of."""
     runs, guess = guessed_runs(table, context, options)
     parts = _parts(table.entries)
     maximised = options.maximise if options.maximise is not None else is_maximised(parts)

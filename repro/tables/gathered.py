@@ -15,7 +15,7 @@ from repro.tables.headings import (
     names_quantity,
     statistics_in,
 )
-from repro.tables.layout import GridCell, Label, layout
+from repro.tables.layout import GridCell, Label, Layout, layout
 from repro.tables.markup import plain
 from repro.tables.numbers import NoNumber, number_form, split_pair
 from repro.tables.published import Printed
@@ -83,7 +83,13 @@ class _Named:
 
 def gathered(grid: Grid, label: str) -> Gathered:
     """Return the numbers of a grid with what they are of, and every text that is none."""
-    found = layout(grid)
+    return gathered_cells(layout(grid), label, title=grid.title, notes=grid.notes)
+
+
+def gathered_cells(
+    found: Layout, label: str, *, title: str, notes: tuple[str, ...] = ()
+) -> Gathered:
+    """Return the same of cells whose headings are known."""
     words: dict[str, str] = {}
     by_column = _statistics_stand_in_columns(found.cells)
     named = [_named(cell, words, by_column=by_column) for cell in found.cells]
@@ -100,8 +106,8 @@ def gathered(grid: Grid, label: str) -> Gathered:
         skipped=tuple(skipped),
         words=words,
         pairs=("mean", second) if has_pairs else ("", ""),
-        notes=grid.notes,
-        text=" ".join(plain(text) for text in (grid.title, *found.footers)),
+        notes=notes,
+        text=" ".join(plain(text) for text in (title, *found.footers)),
     )
 
 

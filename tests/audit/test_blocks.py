@@ -1,7 +1,7 @@
 from dataclasses import replace
 
 from repro.audit.blocks import blocks
-from repro.model.claims import every_cell
+from repro.model.cells import every_cell
 from repro.model.tolerances import Absolute
 from repro.tables.checks import rows_of_blocks
 from repro.tables.published import PublishedTable

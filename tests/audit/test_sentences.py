@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from repro.audit import audit
-from repro.model.claims import every_cell
+from repro.model.cells import every_cell
 from repro.model.tolerances import Absolute
 from repro.tables.published import PublishedTable
 from tests.small_papers import EXPERIMENT, PAPER, Guessing

@@ -6,7 +6,8 @@ from pathlib import Path
 
 from repro.commands.catalogue import all_papers
 from repro.commands.written_pages import write_pages
-from repro.model.claims import every_cell, lowest_everywhere
+from repro.model.cells import every_cell
+from repro.model.claims import lowest_everywhere
 from repro.model.experiment import Experiment
 from repro.model.paper import Paper
 from repro.model.tolerances import Percent

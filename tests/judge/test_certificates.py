@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from repro.determinism.compiled import COST, ready
 from repro.judge.certificates import Certificate, certify
-from repro.model.claims import every_cell
+from repro.model.cells import every_cell
 from repro.model.paper import Paper
 from repro.model.tolerances import Percent
 from repro.optimisers import WOA

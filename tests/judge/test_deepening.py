@@ -7,8 +7,9 @@ import pytest
 from repro.judge.deepening import SHARE, deepened
 from repro.judge.findings import findings_of
 from repro.judge.verdict import Verdict
+from repro.model.assumptions import Alternative, Assumption
 from repro.model.evidence import Cell, Evidence, Runs
-from repro.model.paper import Alternative, Assumption, Paper
+from repro.model.paper import Paper
 from tests.small_papers import PAPER, evidence_of
 
 FULL = 8

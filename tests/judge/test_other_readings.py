@@ -11,10 +11,11 @@ from repro.judge.other_readings import (
     fingerprints,
 )
 from repro.judge.verdict import Verdict
+from repro.model.assumptions import Alternative, Assumption
 from repro.model.claims import CellClaim
 from repro.model.evidence import Evidence, Runs
 from repro.model.measures.measure import Computed
-from repro.model.paper import Alternative, Assumption, Paper
+from repro.model.paper import Paper
 from tests.small_papers import CLAIMS, PAPER, evidence_of
 
 

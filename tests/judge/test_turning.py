@@ -5,7 +5,7 @@ import pytest
 
 from repro.judge.turning import ReadingOutcome, Weighed, seeming, turned
 from repro.judge.verdict import Verdict
-from repro.model.paper import Alternative, Assumption
+from repro.model.assumptions import Alternative, Assumption
 from repro.runs.readings import Reading
 
 HELD, NOT, OPEN = Verdict.CONSISTENT, Verdict.CONTRADICTED, Verdict.UNDECIDED

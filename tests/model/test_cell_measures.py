@@ -3,7 +3,8 @@ from dataclasses import replace
 import pytest
 
 from repro.errors import DeclarationError
-from repro.model.claims import CellClaim, every_cell
+from repro.model.cells import every_cell
+from repro.model.claims import CellClaim
 from repro.model.measures.measure import Rank, Statistic
 from repro.model.measures.ranks import RankSum
 from repro.model.tolerances import Absolute, Percent

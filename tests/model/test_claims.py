@@ -1,15 +1,8 @@
 import pytest
 
 from repro.errors import DeclarationError
-from repro.model.claims import (
-    CellClaim,
-    Sentence,
-    computed_cells,
-    every_cell,
-    lowest_everywhere,
-    says,
-    says_in_words,
-)
+from repro.model.cells import computed_cells, every_cell
+from repro.model.claims import CellClaim, Sentence, lowest_everywhere, says, says_in_words
 from repro.model.measures.measure import Computed, Statistic
 from repro.model.open_points import Gap
 from repro.model.tolerances import Absolute, Between, Percent

@@ -1,8 +1,8 @@
 from dataclasses import replace
 
+from repro.model.assumptions import Alternative, Assumption
 from repro.model.contract import contract_faults, house_notes
 from repro.model.open_points import Erratum, Gap
-from repro.model.paper import Alternative, Assumption
 from tests.small_papers import PAPER, TABLE
 
 CHOICE = Assumption(

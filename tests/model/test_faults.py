@@ -5,7 +5,8 @@ import numpy as np
 import pytest
 
 from repro.errors import DeclarationError
-from repro.model.claims import CellClaim, every_cell
+from repro.model.cells import every_cell
+from repro.model.claims import CellClaim
 from repro.model.faults import protocol_faults
 from repro.model.tolerances import Between, Percent
 from tests.small_papers import CLAIMS, EXPERIMENT, PAPER, TABLE, Bowl

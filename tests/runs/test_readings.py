@@ -3,8 +3,9 @@ from dataclasses import replace
 import pytest
 
 from repro.errors import DeclarationError
+from repro.model.assumptions import Alternative, Assumption
 from repro.model.measures.measure import Computed
-from repro.model.paper import Alternative, Assumption, Paper
+from repro.model.paper import Paper
 from repro.runs.readings import applied, changed_part, claims_under, readings
 from tests.small_papers import CLAIMS, EXPERIMENT, PAPER, Bowl, Guessing
 
@@ -111,7 +112,8 @@ def test_claims_of_an_alternative_take_the_place_of_those_on_the_same_cell() -> 
         (replace(WIDER, untried="lazy"), "'three times' needs either something"),
         (replace(WIDER, name=""), "needs a name without '/'"),
         (replace(WIDER, name="a/b"), "needs a name without '/', not 'a/b'"),
-        (replace(WIDER, algorithms={("search", "nobody"): {}}), "no search/nobody; there is"),
+        (replace(WIDER, algorithms={("search", "nobody"): {}}), "no algorithm 'nobody'; there is"),
+        (replace(WIDER, algorithms={"guess": {}}), "algorithms: 'guess' is no pair"),  # type: ignore[dict-item]
         (replace(LONGER, protocol={"walk": {"runs": 2}}), "no experiment 'walk'"),
     ],
 )
@@ -128,7 +130,7 @@ def test_two_alternatives_of_one_name_are_refused() -> None:
 
 
 def test_unknown_name_among_those_tried_together_is_refused() -> None:
-    with pytest.raises(DeclarationError, match=r"together: no alternatives \['nobody'\]"):
+    with pytest.raises(DeclarationError, match=r"together: no .* is 'nobody'; there is"):
         paper(assumption("width", WIDER), together=("nobody",))
 
 

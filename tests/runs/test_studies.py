@@ -1,7 +1,7 @@
 from dataclasses import replace
 
 from papers.liang2026 import PAPER as LIANG
-from repro.model.paper import Alternative, Assumption
+from repro.model.assumptions import Alternative, Assumption
 from repro.optimisers.libraries import BASELINES
 from repro.optimisers.random_search import RandomSearch
 from repro.runs.baseline_study import BASELINE_RUNS

@@ -11,8 +11,8 @@ from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
 from repro.errors import DeclarationError
+from repro.model.assumptions import Assumption
 from repro.model.figures import Arm
-from repro.model.paper import Assumption
 from repro.report.drawings.arm_motion import Moving, moving, waypoints
 from repro.report.drawings.style import (
     COLOURS,

@@ -3,9 +3,9 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
+from repro.model.assumptions import Assumption
 from repro.model.evidence import Evidence
 from repro.model.figures import Arm, Convergence, Figure, JointCurves, Motion, SplineMotion
-from repro.model.paper import Assumption
 from repro.report.drawings.arm import arm_plot
 from repro.report.drawings.convergence import HEADINGS, convergence_plot
 from repro.report.drawings.fitted_curves import joint_curves_plot
