@@ -67,7 +67,8 @@ _RUNS = re.compile(
 )
 _SIZE = re.compile(r"\bn\s*=\s*(?P<after>\d{1,6})\b", re.IGNORECASE)
 _COLUMN_OF_RUNS = re.compile(
-    r"(?:n_?|no\.?\s(?:of\s)?|number\sof\s|#\s?)?(?:runs?|trials?|rep(?:eat|etition)?s?|counts?)",
+    r"(?:n_?|no\.?\s(?:of\s)?|num(?:ber)?[\s_](?:of[\s_])?|#\s?|(?:total|independent|jumlah|anzahl)[\s_])?"
+    r"(?:runs?|trials?|rep(?:eat|etition)?s?|counts?|läufe)",
     re.IGNORECASE,
 )
 _QUANTITY = re.compile(

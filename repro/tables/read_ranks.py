@@ -31,10 +31,13 @@ class _Printed:
     totals: Sequence[tuple[str, Row]]
 
 
-def with_ranks(table: Gathered) -> Gathered:
-    """Return the table; whole numbers under a title of ranks, with no other heading, are ranks."""
+def with_ranks(table: Gathered, name: str = "") -> Gathered:
+    """Return the table; whole numbers under a title of ranks, with no other heading, are ranks.
+
+    So are those of a file of that name.
+    """
     beside = {entry.statistic for entry in table.entries} - {VALUE, "mean", "total rank"}
-    if beside or not _TITLE.search(table.text):
+    if beside or not _TITLE.search(f"{table.text} {name.replace('_', ' ')}"):
         return table
     count = len({entry.algorithm for entry in table.entries})
     entries = tuple(_as_rank(entry) for entry in table.entries)
