@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 from repro.tables.grids import Grid
 from repro.tables.headings import (
@@ -9,6 +10,7 @@ from repro.tables.headings import (
     heads_problems,
     heads_statistics,
     is_statistic,
+    statistics_in,
 )
 from repro.tables.markup import plain
 from repro.tables.numbers import NumberForm, is_word, number_form, split_pair
@@ -191,17 +193,33 @@ def _first_value_column(lines: Sequence[Sequence[str]], top: int) -> int:
     for j in range(width - 1):
         heading = [line[j] for line in lines[:top] if line[j]]
         texts = [line[j] for line in lines[top:] if line[j]]
-        if not _holds_labels(heading, texts, leftmost=j == 0):
+        counts = j == 0 and (_counts_lines(texts) or _is_varied(lines[:top], texts))
+        if not _holds_labels(heading, texts, leftmost=j == 0, counts=counts):
             return j
     return width - 1
 
 
-def _holds_labels(heading: Sequence[str], texts: Sequence[str], *, leftmost: bool) -> bool:
+def _counts_lines(texts: Sequence[str]) -> bool:
+    """Say whether numbers go up by one from line to line, as those of functions or runs do."""
+    whole = all(text.isascii() and text.isdigit() and len(text) < 6 for text in texts)
+    return whole and len(texts) > 2 and {int(b) - int(a) for a, b in pairwise(texts)} == {1}
+
+
+def _is_varied(headings: Sequence[Sequence[str]], texts: Sequence[str]) -> bool:
+    """Say whether numbers differ from line to line, with statistics alone beside them."""
+    others = [text for line in headings for text in line[1:] if text]
+    named = sum(bool(statistics_in(text)[0]) for text in others)
+    return len(set(texts)) == len(texts) > 1 and 2 <= named == len(others)
+
+
+def _holds_labels(
+    heading: Sequence[str], texts: Sequence[str], *, leftmost: bool, counts: bool
+) -> bool:
     if not texts:
         return True
     if any(is_statistic(text) for text in heading):
         return False
-    if 2 * sum(not looks_numeric(text) for text in texts) > len(texts):
+    if counts or 2 * sum(not looks_numeric(text) for text in texts) > len(texts):
         return True
     named = any(
         heads_problems(text) or heads_algorithms(text) or heads_statistics(text) for text in heading

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
+from itertools import groupby
 
 from repro.tables.facts import RankedRows, Ties
 from repro.tables.relations import Cell
@@ -14,6 +15,8 @@ KINDS: tuple[Ties, ...] = ("least", "greatest", "mean", "dense", "order")
 def ranking_rows(paper: str, ranking: RankedRows) -> Iterator[AuditRow]:
     """Yield a row per printed rank, sum, mean and place that no treatment of ties allows."""
     yield from _row_by_row(paper, ranking)
+    if not ranking.values or not any(ranking.values):
+        yield from _by_themselves(paper, ranking)
     for cells, runs in ((ranking.sums, 1), (ranking.means, _rows(ranking))):
         if cells is not None and runs:
             yield from _totals(paper, ranking, cells, runs)
@@ -89,6 +92,47 @@ def _row_by_row(paper: str, ranking: RankedRows) -> Iterator[AuditRow]:
             grade=Grade.INCONSISTENT,
             explanation=f"by the values of the row, whichever way ties are ranked: {found}",
         )
+
+
+def _by_themselves(paper: str, ranking: RankedRows) -> Iterator[AuditRow]:
+    """Check rows of ranks that are printed without values, where most rank just what they print."""
+    kinds = KINDS if ranking.ties == "any" else (ranking.ties,)
+    wrong = [
+        row
+        for row in ranking.ranks
+        if not any(_is_ranking([exact(cell.printed.value) for cell in row.values()], kind)
+                   for kind in kinds)
+    ]  # fmt: skip
+    for row in wrong if 3 * len(wrong) <= len(ranking.ranks) else ():
+        cells = tuple(row.values())
+        yield audit_row(
+            paper,
+            cells,
+            check="ranks-of-a-row",
+            grade=Grade.INCONSISTENT,
+            explanation=(
+                f"{', '.join(cell.printed.text for cell in cells)} are no ranks of {len(cells)}, "
+                "whichever way ties are ranked"
+            ),
+        )
+
+
+def _is_ranking(ranks: Sequence[Fraction], ties: Ties) -> bool:
+    """Say whether a whole row of ranks can be: by one treatment of ties."""
+    place = 1
+    for k, (rank, group) in enumerate(groupby(sorted(ranks)), 1):
+        same = len(list(group))
+        last = place + same - 1
+        right = {
+            "least": Fraction(place),
+            "greatest": Fraction(last),
+            "mean": Fraction(place + last, 2),
+            "dense": Fraction(k),
+        }.get(ties)
+        if rank != (right if right is not None else place) or (ties == "order" and same > 1):
+            return False
+        place = last + 1
+    return True
 
 
 def _wrong(ranks: Mapping[str, Cell], spans: Mapping[str, Span], ties: Ties) -> list[str]:

@@ -52,3 +52,29 @@ def test_all_columns_up_to_one_of_names_of_statistics_are_labels() -> None:
 @pytest.mark.parametrize("heading", ["Jumlah Run", "num_runs", "Number of runs", "Total runs"])
 def test_a_column_of_numbers_of_runs_is_known(heading: str) -> None:
     assert heads_runs(heading)
+
+
+def test_words_of_statistics_in_a_few_names_of_algorithms_are_no_statistics() -> None:
+    text = "Algorithm,F1,F2\nGA,1.0(0.1),2.0(0.2)\nPSO,1.1(0.1),2.1(0.2)\nBest-of-two,1.0(0),2(0)\n"
+
+    assert ("F1", "Best-of-two", "mean", "1.0") in said(text)
+
+
+@pytest.mark.parametrize(
+    "name", ["DE/current-to-best/1", "DE_best_1", "DE/best/1/bin", "Max-Min AS"]
+)
+def test_names_of_variants_beside_headings_of_statistics_stay_names(name: str) -> None:
+    text = f"Function,{name} Mean,{name} Std\nF1,1.0,0.1\nF2,2.0,0.2\n"
+
+    assert {(algorithm, statistic) for _, algorithm, statistic, _ in said(text)} == {
+        (name, "mean"),
+        (name, "std"),
+    }
+
+
+def test_numbers_that_count_lines_or_vary_beside_statistics_alone_are_labels() -> None:
+    counted = "fid,A,B\n1,0.5,0.7\n2,0.6,0.8\n3,0.1,0.9\n"
+    varied = "Penalty,Mean,Std\n1,0.5,0.1\n10,0.6,0.1\n100,0.7,0.2\n"
+
+    assert ("2", "B", "value", "0.8") in said(counted)
+    assert ("10", "", "mean", "0.6") in said(varied)
