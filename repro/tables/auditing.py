@@ -4,7 +4,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from fractions import Fraction
 from functools import partial
-from pathlib import PurePath
 from typing import Any
 
 from repro.tables.arithmetic import IN_DOUBLES, NARROWEST, joined
@@ -78,7 +77,7 @@ def audited(
     found = []
     for k, grid in enumerate(grids):
         label = _label(grid, k, len(grids))
-        table = with_ranks(gathered(grid, label), PurePath(file).stem)
+        table = with_ranks(gathered(grid, label), file.rpartition("/")[2])
         if table.entries:
             found.append(_audited(table, grid, options, file=file, context=context))
     return found

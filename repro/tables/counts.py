@@ -86,13 +86,17 @@ def _against_threshold(
             check="success-threshold",
             grade=Grade.INCONSISTENT,
             explanation=(
-                f"where {success.rate.printed.text}{' %' if success.percent else ''} of "
+                f"where {success.rate.printed.text}{_percent(success)} of "
                 f"{n if success.is_told else 'the'} runs "
                 f"reach {shown(threshold)}, the {block.word(name)} is {says}; printed is "
                 f"{block.printed(name).text}"
             ),
             condition=success.condition,
         )
+
+
+def _percent(success: Success) -> str:
+    return " %" if success.percent and "%" not in success.rate.printed.text else ""
 
 
 def _allowed(

@@ -138,7 +138,7 @@ def statistics_in(label: str) -> tuple[tuple[str, ...], str]:
     for start, end, _ in sorted(found, reverse=True):
         rest = rest[:start] + " " + rest[end:]
     rest = _FILLERS.sub(" ", _UNIT.sub(" ", rest) if found else rest) if found else rest
-    return tuple(name for *_, name in sorted(found)), rest.strip(" .,:;_-/|±()[]+=&\t")
+    return tuple(name for *_, name in sorted(found)), rest.strip(" .,:;_-/|±()[]+=&%\t")
 
 
 def is_statistic(label: str) -> bool:

@@ -74,7 +74,7 @@ def _stands(block: Block, name: str) -> bool:
 
 def _equal_cells(paper: str, same: Sequence[Entry], *, pairs: int, chance: float) -> AuditRow:
     block, name = same[0]
-    places = "; ".join(f"{b.problem_name} {statistic} of {b.algorithm}" for b, statistic in same)
+    places = "; ".join(_in_words(block, statistic) for block, statistic in same)
     return audit_row(
         paper,
         _cells(same),
@@ -86,6 +86,13 @@ def _equal_cells(paper: str, same: Sequence[Entry], *, pairs: int, chance: float
             f"digits were random, {shown(chance)} of these would agree"
         ),
     )
+
+
+def _in_words(block: Block, statistic: str) -> str:
+    """Return the statistic and whose it is, of the names that the table gives."""
+    problem = block.problem_name if block.problem_name != block.algorithm else ""
+    own = f"{problem} {statistic}".strip()
+    return f"{own} of {block.algorithm}" if block.algorithm else own
 
 
 def _equal_digits(paper: str, blocks: Sequence[Block]) -> Iterator[AuditRow]:
@@ -100,7 +107,10 @@ def _equal_digits(paper: str, blocks: Sequence[Block]) -> Iterator[AuditRow]:
         values = {tuple(block.printed(name).value for name in names) for block in same}
         if len(same) > 1 and len(values) > 1:
             shown_digits = " and ".join(same[0].printed(name).mantissa for name in names)
-            places = "; ".join(f"{block.algorithm} on {block.problem_name}" for block in same)
+            places = "; ".join(
+                " on ".join(filter(None, dict.fromkeys((block.algorithm, block.problem_name))))
+                for block in same
+            )
             yield audit_row(
                 paper,
                 _cells(tuple(itertools.product(same, names))),

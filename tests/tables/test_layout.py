@@ -78,3 +78,9 @@ def test_numbers_that_count_lines_or_vary_beside_statistics_alone_are_labels() -
 
     assert ("2", "B", "value", "0.8") in said(counted)
     assert ("10", "", "mean", "0.6") in said(varied)
+
+
+def test_a_sign_of_percent_behind_a_statistic_names_no_algorithm() -> None:
+    found = said("F,Mean,SR %\nF1,1.5,100%\nF2,2.5,90%\n")
+
+    assert ("F1", "", "success rate", "100%") in found
