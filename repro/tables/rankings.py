@@ -9,6 +9,7 @@ from repro.tables.relations import Cell
 from repro.tables.rows import AuditRow, Grade, audit_row
 from repro.tables.true_numbers import Span, exact, shown, span
 
+FEWEST = 3  # columns whose average ranks are summed
 KINDS: tuple[Ties, ...] = ("least", "greatest", "mean", "dense", "order")
 
 
@@ -20,6 +21,8 @@ def ranking_rows(paper: str, ranking: RankedRows) -> Iterator[AuditRow]:
     for cells, runs in ((ranking.sums, 1), (ranking.means, _rows(ranking))):
         if cells is not None and runs:
             yield from _totals(paper, ranking, cells, runs)
+    if ranking.means is not None and not _rows(ranking):
+        yield from _means_by_themselves(paper, ranking.means)
     if ranking.places is not None and (ranking.means or ranking.sums):
         yield from _places(paper, ranking.places, ranking.means or ranking.sums or {})
 
@@ -115,6 +118,27 @@ def _by_themselves(paper: str, ranking: RankedRows) -> Iterator[AuditRow]:
                 "whichever way ties are ranked"
             ),
         )
+
+
+def _means_by_themselves(paper: str, means: Mapping[str, Cell]) -> Iterator[AuditRow]:
+    """Check the sum of average ranks, which is that of the places where ties share theirs."""
+    cells, count = tuple(means.values()), len(means)
+    total = sum((span(cell.printed) for cell in cells), Span(Fraction(0), Fraction(0)))
+    right = Fraction(count * (count + 1), 2)
+    if count < FEWEST or total.low <= right <= total.high:
+        return
+    yield audit_row(
+        paper,
+        cells,
+        check="rank-means",
+        grade=Grade.INCONSISTENT,
+        explanation=(
+            f"{' + '.join(cell.printed.text for cell in cells)} = "
+            f"{shown(sum(exact(cell.printed.value) for cell in cells))}; the average ranks of "
+            f"{count} have the sum {shown(right)}"
+        ),
+        condition="just these are ranked, and ties share the mean of their places",
+    )
 
 
 def _is_ranking(ranks: Sequence[Fraction], ties: Ties) -> bool:

@@ -116,3 +116,23 @@ def test_ranks_among_more_than_are_printed_are_not_held_to_be_of_these() -> None
     text = "Ranks\nF,A,B,C\nF1,1,3,3\nF2,1,2,3\nF3,2,3,1\nF4,1,3,3\nF5,3,3,1\n"
 
     assert said(audited(text)) == []
+
+
+BELOW = r"""\begin{{tabular}}{{lrrr}}
+ & A & B & C \\
+F01 & 0.5 & 2.5 & 1.5 \\
+F02 & 0.5 & 1.5 & 2.5 \\
+F03 & 0.1 & 1.1 & 2.1 \\
+Rank & {first} & 2.33 & 2.67 \\
+\end{{tabular}}
+"""
+LISTED = "algorithm,mean_rank\nA,{first}\nB,2.33\nC,2.67\n"
+
+
+@pytest.mark.parametrize("text", [BELOW, LISTED])
+def test_average_ranks_alone_have_the_sum_of_the_places(text: str) -> None:
+    (row,) = audited(text, first="1.20").rows
+
+    assert audited(text, first="1.00").rows == ()
+    assert row.explanation == "1.20 + 2.33 + 2.67 = 6.2; the average ranks of 3 have the sum 6"
+    assert row.condition == "just these are ranked, and ties share the mean of their places"
