@@ -15,7 +15,7 @@ from repro.tables.gathered import Entry, Gathered, Skipped, gathered, numbered
 from repro.tables.grids import Grid
 from repro.tables.guesses import errors_guess, guess_lines, guessed_runs, is_maximised
 from repro.tables.levels import level_of
-from repro.tables.possible_runs import TRIED, can_be, least_runs, rows_at_any_number
+from repro.tables.possible_runs import TRIED, can_be, possible_runs, rows_at_any_number
 from repro.tables.read_facts import facts_of, places_of
 from repro.tables.read_ranks import with_ranks
 from repro.tables.repeats import repeat_rows
@@ -77,7 +77,7 @@ def audited(
     found = []
     for k, grid in enumerate(grids):
         label = _label(grid, k, len(grids))
-        table = with_ranks(gathered(grid, label))
+        table = with_ranks(gathered(grid, label), file.rpartition("/")[2])
         if table.entries:
             found.append(audited_table(table, grid, options, file=file, context=context))
     return found
@@ -252,13 +252,11 @@ def _possible(blocks: Sequence[Block]) -> Iterator[Guess]:
     if not blocks:
         return
     check = partial(block_rows, "")
-    more = [block for block in blocks if not can_be(block, TRIED[0], check)]
-    usual = len(blocks) - len(more)
-    least = [(least_runs(block, check), block) for block in more[:_SHOWN]]
-    words = [
-        f"; {_name(block)} {f'from n = {n}' if n else f'for no n up to {TRIED[-1]}'}"
-        for n, block in least
+    more = [
+        block for block in blocks if not all(can_be(block, n, check) for n in (TRIED[0], TRIED[-1]))
     ]
+    usual = len(blocks) - len(more)
+    words = [f"; {_name(block)} {possible_runs(block, check)}" for block in more[:_SHOWN]]
     shown = f"{''.join(words)}{'; …' * (len(more) > _SHOWN)}"
     yield Guess(
         says=f"without n, {usual} of {len(blocks)} blocks can be from n = {TRIED[0]} on{shown}",

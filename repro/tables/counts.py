@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 from fractions import Fraction
 
 from repro.tables.blocks import Block, turned
@@ -61,7 +62,7 @@ def _against_threshold(
 ) -> Iterator[AuditRow]:
     if success.block is None:
         return
-    n, block = success.runs, turned(success.block)
+    n, block = success.runs, replace(turned(success.block), n=success.runs)
     # the number of runs at the threshold or below it; where runs maximise these are the others
     below = (
         Span(Fraction(n - counts[-1]), Fraction(n - counts[0]))
@@ -85,11 +86,17 @@ def _against_threshold(
             check="success-threshold",
             grade=Grade.INCONSISTENT,
             explanation=(
-                f"where {success.rate.printed.text}{' %' if success.percent else ''} of {n} runs "
+                f"where {success.rate.printed.text}{_percent(success)} of "
+                f"{n if success.is_told else 'the'} runs "
                 f"reach {shown(threshold)}, the {block.word(name)} is {says}; printed is "
                 f"{block.printed(name).text}"
             ),
+            condition=success.condition,
         )
+
+
+def _percent(success: Success) -> str:
+    return " %" if success.percent and "%" not in success.rate.printed.text else ""
 
 
 def _allowed(

@@ -36,7 +36,8 @@ class Success:
     """A share of n runs that end at `threshold` or below; in percent, or out of 1.
 
     `block` holds the statistics of the same runs. Where the runs maximise, a success ends at the
-    threshold or above.
+    threshold or above. Where the number of runs is not told, it is at most `runs`. `condition` is
+    what a contradiction to the threshold needs to be one.
     """
 
     rate: Cell
@@ -44,6 +45,8 @@ class Success:
     percent: bool = True
     threshold: Fraction | None = None
     block: Block | None = None
+    is_told: bool = True
+    condition: str | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -91,7 +91,9 @@ def gathered_cells(
 ) -> Gathered:
     """Return the same of cells whose headings are known."""
     words: dict[str, str] = {}
-    by_column = _statistics_stand_in_columns(found.cells)
+    by_column: bool | None = _statistics_stand_in_columns(found.cells)
+    if _are_names(cell.column if by_column else cell.row for cell in found.cells):
+        by_column = None
     named = [_named(cell, words, by_column=by_column) for cell in found.cells]
     second = _second_statistic(named)
     entries: list[Entry] = []
@@ -116,6 +118,15 @@ def _statistics_stand_in_columns(cells: Sequence[GridCell]) -> bool:
     return _weight(cell.column for cell in cells) >= _weight(cell.row for cell in cells)
 
 
+def _are_names(places: Iterator[tuple[Label, ...]]) -> bool:
+    """Say whether one statistic's word stands in a few of the labels: "Best-first search"."""
+    texts = {label.text for labels in places for label in labels}
+    found = [names for text in texts if (names := statistics_in(text)[0])]
+    return (
+        len(set(found)) == 1 and 2 * len(found) < len(texts) and not any(map(is_statistic, texts))
+    )
+
+
 def _weight(places: Iterator[tuple[Label, ...]]) -> tuple[int, int]:
     """Return how many statistics of runs are named, then over how many cells one beside them is."""
     texts = Counter(label.text for labels in places for label in labels)
@@ -127,9 +138,11 @@ def _weight(places: Iterator[tuple[Label, ...]]) -> tuple[int, int]:
     return 10 * len(sure & OF_RUNS) + len(some & OF_RUNS), beside
 
 
-def _named(cell: GridCell, words: dict[str, str], *, by_column: bool) -> _Named:
-    """Return the cell with what its labels name."""
+def _named(cell: GridCell, words: dict[str, str], *, by_column: bool | None) -> _Named:
+    """Return the cell with what its labels name; `by_column` is None where none are statistics."""
     axis, other = (cell.column, cell.row) if by_column else (cell.row, cell.column)
+    if by_column is None:
+        axis, other = (), (*cell.row, *cell.column)
     statistics: tuple[str, ...] = ()
     quantity = ""
     rest: list[Label] = []

@@ -47,7 +47,7 @@ def parted(whole: Grid) -> list[Grid]:
             close()
             if lines:
                 titles, lines = [whole.title] if whole.title else [], []
-        elif len(filled) == 1 and not lines:
+        elif len(filled) == 1 and not lines and not (line[0] == "" and len(line) == 2):
             titles.append(filled[0])
         else:
             lines.append(line)

@@ -21,7 +21,7 @@ _PATTERNS = {
     r"|standard\serror(?:\sof\sthe\smean)?|标准误",
     "variance": r"var(?:iance|\.)?|σ\s?(?:\^2|²)|std\.?\s?\^2|方差|varianz|varianza",
     "std": r"st(?:andar)?d?\.?[\s_-]*dev(?:iations?|s|\.)?|std[ae]?v?(?:dev)?\.?|stdv\.?|stdev"
-    r"|s\.d\.?|sd|standard|st\.?\s?d(?:ev)?\.?|σ|sigma|标准差|均方差|écart[\s-]type"
+    r"|s\.d\.?|sd|^standard$|st\.?\s?d(?:ev)?\.?|σ|sigma|标准差|均方差|écart[\s-]type"
     r"|desv(?:iación|\.)?(?:\s(?:estándar|típica|est\.?))?"
     r"|desvio(?:[\s-]padrão)?|standardabweichung|deviazione(?:\sstandard)?|ско|deviation|dev\.?",
     "median": r"median[aeo]?|med\.?|médiane|中位数|中值|медиана",
@@ -57,6 +57,10 @@ _FILLERS = re.compile(
     r"|solutions?|index|errors?|runs?|value|[=:])(?![a-z0-9])",
     re.IGNORECASE,
 )
+# algorithms whose names have the word of a statistic in them: DE/current-to-best/1, max-min ants
+_NAMED_SO = re.compile(
+    r"to[\s_/-]+p?best(?:[\s_/-]*\d)?|best\s?/\s?\d|de[\s/-]+p?best[\s/-]+\d|max[_-]?min|min[_-]?max"
+)
 _UNIT = re.compile(r"[\[(][^\[\]()]*[\])]")
 _RUNS = re.compile(
     r"(?P<before>\d{1,6})\s*(?:independent|separate|different|random|repeated|trial|test|times\sof"
@@ -67,7 +71,8 @@ _RUNS = re.compile(
 )
 _SIZE = re.compile(r"\bn\s*=\s*(?P<after>\d{1,6})\b", re.IGNORECASE)
 _COLUMN_OF_RUNS = re.compile(
-    r"(?:n_?|no\.?\s(?:of\s)?|number\sof\s|#\s?)?(?:runs?|trials?|rep(?:eat|etition)?s?|counts?)",
+    r"(?:n_?|no\.?\s(?:of\s)?|num(?:ber)?[\s_](?:of[\s_])?|#\s?|(?:total|independent|jumlah|anzahl)[\s_])?"
+    r"(?:runs?|trials?|rep(?:eat|etition)?s?|counts?|läufe)",
     re.IGNORECASE,
 )
 _QUANTITY = re.compile(
@@ -120,6 +125,7 @@ def statistics_in(label: str) -> tuple[tuple[str, ...], str]:
     lowered = text.lower().replace("_", " ")
     if len(lowered) != len(text):  # a few letters have longer lower forms
         text = lowered
+    lowered = _NAMED_SO.sub(lambda name: "x" * len(name[0]), lowered)
     found: list[tuple[int, int, str]] = []
     for name, pattern in _KNOWN.items():
         for match in pattern.finditer(lowered):
@@ -132,7 +138,7 @@ def statistics_in(label: str) -> tuple[tuple[str, ...], str]:
     for start, end, _ in sorted(found, reverse=True):
         rest = rest[:start] + " " + rest[end:]
     rest = _FILLERS.sub(" ", _UNIT.sub(" ", rest) if found else rest) if found else rest
-    return tuple(name for *_, name in sorted(found)), rest.strip(" .,:;_-/|±()[]+=&\t")
+    return tuple(name for *_, name in sorted(found)), rest.strip(" .,:;_-/|±()[]+=&%\t")
 
 
 def is_statistic(label: str) -> bool:

@@ -1,7 +1,8 @@
 """What each cell of a grid stands under: headings of lines and of columns."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from itertools import pairwise
 
 from repro.tables.grids import Grid
 from repro.tables.headings import (
@@ -9,9 +10,10 @@ from repro.tables.headings import (
     heads_problems,
     heads_statistics,
     is_statistic,
+    statistics_in,
 )
 from repro.tables.markup import plain
-from repro.tables.numbers import NumberForm, number_form, split_pair
+from repro.tables.numbers import NumberForm, is_word, number_form, split_pair
 
 _MOST_HEADINGS = 4
 _LONG = 60  # letters of a lone text below the numbers that is a note
@@ -73,8 +75,31 @@ def _is_number(text: str) -> bool:
 
 def layout(grid: Grid) -> Layout:
     """Return the cells of a table with all that they stand under."""
-    lines = grid.lines
-    top = _heading_lines(lines)
+    top = _heading_lines(grid.lines)
+    order = _names_first(grid.lines, top)
+    found = _layout([[line[j] for j in order] for line in grid.lines], top)
+    cells = tuple(sorted((replace(c, j=order[c.j]) for c in found.cells), key=lambda c: (c.i, c.j)))
+    return replace(found, cells=cells)
+
+
+def _names_first(lines: Sequence[Sequence[str]], top: int) -> list[int]:
+    """Return the columns, those of names before a column of ranks, say, that stands left of them.
+
+    They are words below a heading of problems or algorithms.
+    """
+    columns = range(len(lines[0]))
+    first = _first_value_column(lines, top)
+    names = [
+        j
+        for j in columns[first + 1 :]
+        if any(heads_algorithms(line[j]) or heads_problems(line[j]) for line in lines[:top])
+        and all(is_word(line[j]) for line in lines[top:] if line[j])
+    ]
+    return [*columns[:first], *names, *(j for j in columns[first:] if j not in names)]
+
+
+def _layout(lines: Sequence[Sequence[str]], top: int) -> Layout:
+    """Return the cells of lines whose columns of names stand first."""
     first = _first_value_column(lines, top)
     heads = _heads(lines[:top], first, len(lines[0]))
     above: list[str] = [""] * first
@@ -159,22 +184,42 @@ def _is_heading_of_sizes(lines: Sequence[Sequence[str]], i: int) -> bool:
 
 
 def _first_value_column(lines: Sequence[Sequence[str]], top: int) -> int:
-    """Return how many columns at the left hold labels."""
+    """Return how many columns at the left hold labels: all up to one of names of statistics."""
     width = len(lines[0])
+    for j in range(width - 2, 0, -1):
+        texts = [line[j] for line in lines[top:] if line[j]]
+        if len(texts) > 1 and all(map(is_statistic, texts)):
+            return j + 1
     for j in range(width - 1):
         heading = [line[j] for line in lines[:top] if line[j]]
         texts = [line[j] for line in lines[top:] if line[j]]
-        if not _holds_labels(heading, texts, leftmost=j == 0):
+        counts = j == 0 and (_counts_lines(texts) or _is_varied(lines[:top], texts))
+        if not _holds_labels(heading, texts, leftmost=j == 0, counts=counts):
             return j
     return width - 1
 
 
-def _holds_labels(heading: Sequence[str], texts: Sequence[str], *, leftmost: bool) -> bool:
+def _counts_lines(texts: Sequence[str]) -> bool:
+    """Say whether numbers go up by one from line to line, as those of functions or runs do."""
+    whole = all(text.isascii() and text.isdigit() and len(text) < 6 for text in texts)
+    return whole and len(texts) > 2 and {int(b) - int(a) for a, b in pairwise(texts)} == {1}
+
+
+def _is_varied(headings: Sequence[Sequence[str]], texts: Sequence[str]) -> bool:
+    """Say whether numbers differ from line to line, with statistics alone beside them."""
+    others = [text for line in headings for text in line[1:] if text]
+    named = sum(bool(statistics_in(text)[0]) for text in others)
+    return len(set(texts)) == len(texts) > 1 and 2 <= named == len(others)
+
+
+def _holds_labels(
+    heading: Sequence[str], texts: Sequence[str], *, leftmost: bool, counts: bool
+) -> bool:
     if not texts:
         return True
     if any(is_statistic(text) for text in heading):
         return False
-    if 2 * sum(not looks_numeric(text) for text in texts) > len(texts):
+    if counts or 2 * sum(not looks_numeric(text) for text in texts) > len(texts):
         return True
     named = any(
         heads_problems(text) or heads_algorithms(text) or heads_statistics(text) for text in heading

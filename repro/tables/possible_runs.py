@@ -23,10 +23,22 @@ def least_runs(block: Block, rows: Check) -> int | None:
     return next((n for n in TRIED if can_be(block, n, rows)), None)
 
 
+def possible_runs(block: Block, rows: Check) -> str:
+    """Return in words which numbers of runs a block allows, of those that are tried."""
+    least = least_runs(block, rows)
+    if least is None:
+        return f"for no n up to {TRIED[-1]}"
+    most = next(n for n in reversed(TRIED) if can_be(block, n, rows))
+    if most == TRIED[-1]:
+        return f"from n = {least}"
+    return f"from n = {least} to {most}" if least < most else f"for n = {least} alone"
+
+
 def rows_at_any_number(block: Block, rows: Check) -> list[AuditRow]:
     """Return the rows of a block that no number of runs tried allows.
 
-    Those that differ with it hold up to the greatest that was tried, and say so.
+    Those that differ with it hold up to the greatest that was tried, and say so. More runs do not
+    always allow more: a spread that a few give in the n-1 form can be too wide for many.
     """
     many = list(rows(replace(block, n=TRIED[-1])))
     if not many:
@@ -34,9 +46,12 @@ def rows_at_any_number(block: Block, rows: Check) -> list[AuditRow]:
     few = rows(replace(block, n=TRIED[0]))
     same = {(row.check, row.column, row.explanation) for row in few}
     told = f"the number of runs is at most {TRIED[-1]}"
+    at_all = [row for row in many if (row.check, row.column, row.explanation) in same]
+    if not at_all and least_runs(block, rows) is not None:
+        return []
     return [
         row
-        if (row.check, row.column, row.explanation) in same
+        if row in at_all
         else replace(row, condition=f"{row.condition}, and {told}" if row.condition else told)
         for row in many
     ]

@@ -2,21 +2,27 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
+from itertools import groupby
 
 from repro.tables.facts import RankedRows, Ties
 from repro.tables.relations import Cell
 from repro.tables.rows import AuditRow, Grade, audit_row
 from repro.tables.true_numbers import Span, exact, shown, span
 
+FEWEST = 3  # columns whose average ranks are summed
 KINDS: tuple[Ties, ...] = ("least", "greatest", "mean", "dense", "order")
 
 
 def ranking_rows(paper: str, ranking: RankedRows) -> Iterator[AuditRow]:
     """Yield a row per printed rank, sum, mean and place that no treatment of ties allows."""
     yield from _row_by_row(paper, ranking)
+    if not ranking.values or not any(ranking.values):
+        yield from _by_themselves(paper, ranking)
     for cells, runs in ((ranking.sums, 1), (ranking.means, _rows(ranking))):
         if cells is not None and runs:
             yield from _totals(paper, ranking, cells, runs)
+    if ranking.means is not None and not _rows(ranking):
+        yield from _means_by_themselves(paper, ranking.means)
     if ranking.places is not None and (ranking.means or ranking.sums):
         yield from _places(paper, ranking.places, ranking.means or ranking.sums or {})
 
@@ -89,6 +95,68 @@ def _row_by_row(paper: str, ranking: RankedRows) -> Iterator[AuditRow]:
             grade=Grade.INCONSISTENT,
             explanation=f"by the values of the row, whichever way ties are ranked: {found}",
         )
+
+
+def _by_themselves(paper: str, ranking: RankedRows) -> Iterator[AuditRow]:
+    """Check rows of ranks that are printed without values, where most rank just what they print."""
+    kinds = KINDS if ranking.ties == "any" else (ranking.ties,)
+    wrong = [
+        row
+        for row in ranking.ranks
+        if not any(_is_ranking([exact(cell.printed.value) for cell in row.values()], kind)
+                   for kind in kinds)
+    ]  # fmt: skip
+    for row in wrong if 3 * len(wrong) <= len(ranking.ranks) else ():
+        cells = tuple(row.values())
+        yield audit_row(
+            paper,
+            cells,
+            check="ranks-of-a-row",
+            grade=Grade.INCONSISTENT,
+            explanation=(
+                f"{', '.join(cell.printed.text for cell in cells)} are no ranks of {len(cells)}, "
+                "whichever way ties are ranked"
+            ),
+        )
+
+
+def _means_by_themselves(paper: str, means: Mapping[str, Cell]) -> Iterator[AuditRow]:
+    """Check the sum of average ranks, which is that of the places where ties share theirs."""
+    cells, count = tuple(means.values()), len(means)
+    total = sum((span(cell.printed) for cell in cells), Span(Fraction(0), Fraction(0)))
+    right = Fraction(count * (count + 1), 2)
+    if count < FEWEST or total.low <= right <= total.high:
+        return
+    yield audit_row(
+        paper,
+        cells,
+        check="rank-means",
+        grade=Grade.INCONSISTENT,
+        explanation=(
+            f"{' + '.join(cell.printed.text for cell in cells)} = "
+            f"{shown(sum(exact(cell.printed.value) for cell in cells))}; the average ranks of "
+            f"{count} have the sum {shown(right)}"
+        ),
+        condition="just these are ranked, and ties share the mean of their places",
+    )
+
+
+def _is_ranking(ranks: Sequence[Fraction], ties: Ties) -> bool:
+    """Say whether a whole row of ranks can be: by one treatment of ties."""
+    place = 1
+    for k, (rank, group) in enumerate(groupby(sorted(ranks)), 1):
+        same = len(list(group))
+        last = place + same - 1
+        right = {
+            "least": Fraction(place),
+            "greatest": Fraction(last),
+            "mean": Fraction(place + last, 2),
+            "dense": Fraction(k),
+        }.get(ties)
+        if rank != (right if right is not None else place) or (ties == "order" and same > 1):
+            return False
+        place = last + 1
+    return True
 
 
 def _wrong(ranks: Mapping[str, Cell], spans: Mapping[str, Span], ties: Ties) -> list[str]:

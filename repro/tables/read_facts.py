@@ -5,6 +5,7 @@ from collections import Counter, defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 
+from repro.tables.arithmetic import joined
 from repro.tables.audit_options import AuditOptions
 from repro.tables.blocks import Block
 from repro.tables.facts import Decision, Fact, Success, WinsAndLosses
@@ -18,12 +19,16 @@ from repro.tables.true_numbers import exact
 
 TALLY = ("wins", "ties", "losses")
 _WHOLE_TABLE = 5  # lines
+# as many runs as a rate of 100 or 0 leaves no other outcome for, however it was rounded
+_NO_OTHER = 100
+_ERRORS = re.compile(r"\berrors?\b", re.IGNORECASE)
 _PROBLEMS = re.compile(
     r"\b([0-9]{1,3})\s+(?:\w+\s+){0,2}?(?:functions|problems|instances|data\s?sets)\b",
     re.IGNORECASE,
 )
 _THRESHOLD = re.compile(
-    r"(?:threshold|accuracy|tolerance|target|below|less than|<|≤)\D{0,12}?"
+    r"(?:threshold|accuracy|tolerance|target|below|less than|<|≤)(?:\s?\([^()0-9]{0,40}\))?"
+    r"\D{0,12}?"
     r"([0-9][0-9.]*(?:\s?[eE]\s?[-+−]?[0-9]+|\s?[×x·]\s?10\s?\^?\s?[-+−]?[0-9]+|\^[-−]?[0-9]+)?)",
     re.IGNORECASE,
 )
@@ -47,7 +52,7 @@ def facts_of(
         *_tallies(table, by_statistic),
         *rankings_of(table, options, maximised=maximised),
         *decisions_of(by_statistic, options, level, runs),
-        *_successes(table, by_statistic["success rate"], blocks, runs),
+        *_successes(table, by_statistic["success rate"], blocks, runs, errors=options.errors),
     )
 
 
@@ -98,20 +103,37 @@ def _problems(table: Gathered, sums: Sequence[int]) -> int | None:
 
 
 def _successes(
-    table: Gathered, entries: Sequence[Entry], blocks: Blocks, runs: int | None
+    table: Gathered,
+    entries: Sequence[Entry],
+    blocks: Blocks,
+    runs: int | None,
+    *,
+    errors: bool | None,
 ) -> Iterator[Success]:
-    """Yield the success rates whose unit is sure: % is printed, or one is above 1."""
+    """Yield the success rates whose unit is sure: % is printed, or one is above 1.
+
+    Without the number of runs these are the rates of 100 and 0, which say the same of any number.
+    """
     printed = [entry.number.printed for entry in entries]
     percent = any(each.unit == "%" or "%" in each.text or each.value > 1 for each in printed)
     headed = any("%" in entry.number.column for entry in entries)
-    if runs is None or not (percent or headed):
+    if not (percent or headed):
         return
     for entry in entries:
+        if runs is None and entry.number.printed.value not in {0, 100}:
+            continue
+        text = f"{entry.number.row} {entry.number.column} {table.text}"
+        threshold = _threshold(text)
+        needs = [f"the number of runs is at most {_NO_OTHER}"] if runs is None else []
+        if not errors and not _ERRORS.search(text) and threshold is not None:
+            needs.append("success is told by the values that are printed")
         yield Success(
             rate=entry.number,
-            runs=runs,
-            threshold=_threshold(f"{entry.number.row} {entry.number.column} {table.text}"),
-            block=blocks.get((entry.problem, entry.algorithm)),
+            runs=runs or _NO_OTHER,
+            threshold=threshold,
+            block=blocks.get((entry.problem or entry.algorithm, entry.algorithm)),
+            is_told=runs is not None,
+            condition=joined(needs),
         )
 
 

@@ -31,10 +31,13 @@ class _Printed:
     totals: Sequence[tuple[str, Row]]
 
 
-def with_ranks(table: Gathered) -> Gathered:
-    """Return the table; whole numbers under a title of ranks, with no other heading, are ranks."""
+def with_ranks(table: Gathered, name: str = "") -> Gathered:
+    """Return the table; whole numbers under a title of ranks, with no other heading, are ranks.
+
+    So are those of a file of that name.
+    """
     beside = {entry.statistic for entry in table.entries} - {VALUE, "mean", "total rank"}
-    if beside or not _TITLE.search(table.text):
+    if beside or not _TITLE.search(f"{table.text} {name.replace('_', ' ')}"):
         return table
     count = len({entry.algorithm for entry in table.entries})
     entries = tuple(_as_rank(entry) for entry in table.entries)
@@ -61,9 +64,15 @@ def rankings_of(table: Gathered, options: AuditOptions, *, maximised: bool) -> I
     or places is often not told: what is wrong is wrong in every such reading.
     """
     entries = table.entries
-    for quantity in dict.fromkeys(e.quantity for e in entries if e.statistic == "rank"):
+    ranked = [e for e in entries if e.statistic in {"rank", "average rank"}]
+    for quantity in dict.fromkeys(entry.quantity for entry in ranked):
         own = [entry for entry in entries if entry.quantity == quantity]
         printed = _printed(own)
+        if not printed.ranks:
+            yield from (
+                RankedRows(means=row) for word, row in printed.totals if word == "average rank"
+            )
+            continue
         names = set(next(iter(printed.ranks.values()), {}))
         if len(names) < 2 or any(set(row) != names for row in printed.ranks.values()):
             continue
@@ -89,10 +98,13 @@ def _printed(entries: Sequence[Entry]) -> _Printed:
     ranks: dict[str, dict[str, Cell]] = defaultdict(dict)
     totals: dict[tuple[str, int], dict[str, Cell]] = defaultdict(dict)
     times: Counter[tuple[str, str]] = Counter()  # an average rank and an overall rank, say
+    several = len({entry.problem for entry in entries if entry.problem}) > 1
     for entry in entries:
         # in a line of sums alone, nothing tells that its columns are algorithms
         name = entry.algorithm or entry.problem
         word = _over_all(entry.problem) if entry.statistic == "rank" else entry.statistic
+        if entry.statistic == "rank" and several and not entry.problem:
+            word = "average rank"  # below lines of several problems
         if word in {"average rank", "total rank"}:
             totals[word, times[word, name]][name] = entry.number
             times[word, name] += 1

@@ -27,15 +27,21 @@ def repeat_rows(paper: str, blocks: Sequence[Block]) -> Iterator[AuditRow]:
             if _stands(block, name):
                 printed = block.printed(name)
                 decade = math.floor(math.log10(abs(printed.value)))
-                size = (block.quantity, len(digits(printed)), decade)
+                size = (block.quantity, len(_telling(printed)), decade)
                 alike[size].append((block, name))
                 equal[size, printed.value].append((block, name))
     for (size, _), same in equal.items():
         pairs = _pairs(alike[size])
         chance = pairs / (9 * 10 ** (size[1] - 1))
-        if _pairs(same) and chance < CHANCE:
+        if _pairs(same) and chance < CHANCE and not _is_one_optimum(same):
             yield _equal_cells(paper, same, pairs=pairs, chance=chance)
     yield from _equal_digits(paper, blocks)
+
+
+def _is_one_optimum(same: Sequence[Entry]) -> bool:
+    """Say whether different searches have one best of one problem: all may have found it."""
+    problems = {b.problem_name if b.problem_name != b.algorithm else "" for b, _ in same}
+    return {name for _, name in same} == {"best"} and len(problems) == 1
 
 
 def _pairs(entries: Sequence[Entry]) -> int:
@@ -49,11 +55,18 @@ def digits(printed: Printed) -> str:
     return printed.mantissa.lstrip("+-").replace(".", "").lstrip("0")
 
 
+def _telling(printed: Printed) -> str:
+    """Return the digits but for zeros behind the point of a whole number: they are no chance."""
+    whole, _, fraction = printed.mantissa.partition(".")
+    is_whole = printed.power is None and not fraction.strip("0")
+    return whole.lstrip("+-0") if is_whole else digits(printed)
+
+
 def _stands(block: Block, name: str) -> bool:
     """Say whether the number is long enough to be telling, and not one that the function fixes."""
     printed = block.printed(name)
     scientific = is_scientific_number(printed)
-    if len(digits(printed)) < (DIGITS_WITH_POWER if scientific else DIGITS):
+    if len(_telling(printed)) < (DIGITS_WITH_POWER if scientific else DIGITS):
         return False
     fixed = block.function.fixed if block.function else ()
     return all(abs(printed.value - value) > printed.rounding for value in fixed)
@@ -61,7 +74,7 @@ def _stands(block: Block, name: str) -> bool:
 
 def _equal_cells(paper: str, same: Sequence[Entry], *, pairs: int, chance: float) -> AuditRow:
     block, name = same[0]
-    places = "; ".join(f"{b.problem_name} {statistic} of {b.algorithm}" for b, statistic in same)
+    places = "; ".join(_in_words(block, statistic) for block, statistic in same)
     return audit_row(
         paper,
         _cells(same),
@@ -73,6 +86,13 @@ def _equal_cells(paper: str, same: Sequence[Entry], *, pairs: int, chance: float
             f"digits were random, {shown(chance)} of these would agree"
         ),
     )
+
+
+def _in_words(block: Block, statistic: str) -> str:
+    """Return the statistic and whose it is, of the names that the table gives."""
+    problem = block.problem_name if block.problem_name != block.algorithm else ""
+    own = f"{problem} {statistic}".strip()
+    return f"{own} of {block.algorithm}" if block.algorithm else own
 
 
 def _equal_digits(paper: str, blocks: Sequence[Block]) -> Iterator[AuditRow]:
@@ -87,7 +107,10 @@ def _equal_digits(paper: str, blocks: Sequence[Block]) -> Iterator[AuditRow]:
         values = {tuple(block.printed(name).value for name in names) for block in same}
         if len(same) > 1 and len(values) > 1:
             shown_digits = " and ".join(same[0].printed(name).mantissa for name in names)
-            places = "; ".join(f"{block.algorithm} on {block.problem_name}" for block in same)
+            places = "; ".join(
+                " on ".join(filter(None, dict.fromkeys((block.algorithm, block.problem_name))))
+                for block in same
+            )
             yield audit_row(
                 paper,
                 _cells(tuple(itertools.product(same, names))),

@@ -13,7 +13,7 @@ _RULE = re.compile(r"[\s|:+=_─━═┼│—-]*")
 _COMMA_NUMBER = re.compile(r"[-+−]?(?:\d{1,3}(?:\.\d{3})+|\d+),\d+(?:[eE][-+−]?\d+)?%?")
 _GROUPED = re.compile(r"[-+−]?[1-9]\d{0,2}(?:,\d{3})+")
 _POINT_NUMBER = re.compile(r"[-+−]?\d*\.\d+(?:[eE][-+−]?\d+)?%?")
-_HEADING = re.compile(r"#{1,6}\s+|\*\*|__|(?=tab(?:le|\.)\s)|:\s+", re.IGNORECASE)
+_HEADING = re.compile(r"#{1,6}\s+|[*+-]\s+|\*\*|__|(?=tab(?:le|\.)\s)|:\s+", re.IGNORECASE)
 _LONGEST_FIELD = 100_000
 _SPACES = re.compile(r"\t+|\s{2,}")
 
@@ -67,9 +67,9 @@ def _pointed(text: str) -> str:
 
 
 def piped_grids(text: str) -> list[Grid]:
-    """Return the grids of Markdown: lines with pipes, titled by the line before them."""
+    """Return the grids of Markdown: lines with pipes, titled by heading and line before them."""
     found: list[Grid] = []
-    title = ""
+    heading = title = ""
     lines: list[list[str]] = []
     for line in (*text.splitlines(), ""):
         if line.count("|") > (0 if lines else 1) or (line.count("|") == 1 and len(line) > 2):
@@ -77,10 +77,13 @@ def piped_grids(text: str) -> list[Grid]:
                 lines.append(_fields(line))
             continue
         if lines:
-            found.append(_with_points(grid(title, lines)))
-            title, lines = "", []
+            titles = dict.fromkeys(filter(None, (heading, title)))
+            found.append(_with_points(grid(" · ".join(titles), lines)))
+            heading = title = ""
+            lines = []
         if line.strip():
             title = _HEADING.sub("", line.strip(), count=1).rstrip("*_ ")
+            heading = title if line.startswith("#") else heading
     return found
 
 

@@ -92,3 +92,33 @@ def test_a_column_of_losses_alone_is_a_cost() -> None:
     table = audited("Algorithm,Loss\nPSO,0.25\nGWO,0.5\n")
 
     assert (table.rows, table.checked) == ((), 0)
+
+
+UNKNOWN = """# Sphere
+
+* Error threshold (admissible error) = 1e-4
+
+| | PSO | GA |
+|---|---|---|
+| Success rate | {rate} | 100 |
+| Average fitness | 3.9e-4 | 5e-5 |
+"""
+
+
+@pytest.mark.parametrize("rate", ["100", "96"])
+def test_all_runs_or_none_that_succeed_say_the_same_of_any_number_of_runs(rate: str) -> None:
+    table = audited(UNKNOWN, rate=rate)
+
+    assert table.label == "Sphere · Error threshold (admissible error) = 1e-4"
+    assert [(row.explanation, row.condition) for row in table.rows] == [
+        (
+            "where 100 % of the runs reach 0.0001, the mean is at most 0.0001; printed is 3.9e-4",
+            "the number of runs is at most 100",
+        )
+    ] * (rate == "100")
+
+
+def test_a_threshold_of_errors_is_held_against_values_under_a_condition() -> None:
+    (row,) = audited(RATES, mean="400.1", rate="34").rows
+
+    assert row.condition == "success is told by the values that are printed"

@@ -92,3 +92,47 @@ def test_numbers_under_a_title_of_ranks_that_are_none_stay_unread() -> None:
 
     assert said(table) == []
     assert table.checked == 0
+
+
+ALONE = "f_id,A,B,C,D\n1,{first},2,3,4\n2,2,1,3,4\n3,1.5,1.5,3,4\n4,4,3,2,1\n"
+
+
+@pytest.mark.parametrize(
+    ("first", "says"),
+    [
+        ("1", []),
+        ("3", ["3, 2, 3, 4 are no ranks of 4, whichever way ties are ranked"]),
+        ("1.5", ["1.5, 2, 3, 4 are no ranks of 4, whichever way ties are ranked"]),
+    ],
+)
+def test_a_row_of_ranks_without_values_is_one_of_that_many(first: str, says: list[str]) -> None:
+    (table,) = audit_text(ALONE.format(first=first), AuditOptions(), file="x/ranks_of_all.csv")
+
+    assert [row.explanation for row in table.rows] == says
+    assert table.checked == table.cells == 16
+
+
+def test_ranks_among_more_than_are_printed_are_not_held_to_be_of_these() -> None:
+    text = "Ranks\nF,A,B,C\nF1,1,3,3\nF2,1,2,3\nF3,2,3,1\nF4,1,3,3\nF5,3,3,1\n"
+
+    assert said(audited(text)) == []
+
+
+BELOW = r"""\begin{{tabular}}{{lrrr}}
+ & A & B & C \\
+F01 & 0.5 & 2.5 & 1.5 \\
+F02 & 0.5 & 1.5 & 2.5 \\
+F03 & 0.1 & 1.1 & 2.1 \\
+Rank & {first} & 2.33 & 2.67 \\
+\end{{tabular}}
+"""
+LISTED = "algorithm,mean_rank\nA,{first}\nB,2.33\nC,2.67\n"
+
+
+@pytest.mark.parametrize("text", [BELOW, LISTED])
+def test_average_ranks_alone_have_the_sum_of_the_places(text: str) -> None:
+    (row,) = audited(text, first="1.20").rows
+
+    assert audited(text, first="1.00").rows == ()
+    assert row.explanation == "1.20 + 2.33 + 2.67 = 6.2; the average ranks of 3 have the sum 6"
+    assert row.condition == "just these are ranked, and ties share the mean of their places"
