@@ -61,6 +61,7 @@ _FILLERS = re.compile(
 _NAMED_SO = re.compile(
     r"to[\s_/-]+p?best(?:[\s_/-]*\d)?|best\s?/\s?\d|de[\s/-]+p?best[\s/-]+\d|max[_-]?min|min[_-]?max"
 )
+_SPACES = re.compile(r"\s+")
 _UNIT = re.compile(r"[\[(][^\[\]()]*[\])]")
 _RUNS = re.compile(
     r"(?P<before>\d{1,6})\s*(?:independent|separate|different|random|repeated|trial|test|times\sof"
@@ -142,6 +143,7 @@ def statistics_in(label: str) -> tuple[tuple[str, ...], str]:
     for start, end, _ in sorted(found, reverse=True):
         rest = rest[:start] + " " + rest[end:]
     rest = _FILLERS.sub(" ", _UNIT.sub(" ", rest) if found else rest) if found else rest
+    rest = _SPACES.sub(" ", rest)
     return tuple(name for *_, name in sorted(found)), rest.strip(" .,:;_-/|±()[]+=&%\t")
 
 
