@@ -15,6 +15,7 @@ from repro.tables.gathered import Entry, Gathered, Skipped, gathered, numbered
 from repro.tables.grids import Grid
 from repro.tables.guesses import errors_guess, guess_lines, guessed_runs, is_maximised
 from repro.tables.levels import level_of
+from repro.tables.markup import plain
 from repro.tables.possible_runs import TRIED, can_be, possible_runs, rows_at_any_number
 from repro.tables.read_facts import facts_of, places_of
 from repro.tables.read_ranks import with_ranks
@@ -84,7 +85,8 @@ def audited(
 
 
 def _label(grid: Grid, k: int, tables: int) -> str:
-    title = grid.title if len(grid.title) <= _TITLE else f"{grid.title[:_TITLE]}…"
+    whole = plain(grid.title)
+    title = whole if len(whole) <= _TITLE else f"{whole[:_TITLE]}…"
     if not title:
         return f"table {k + 1}"
     return f"table {k + 1} ({title})" if tables > 1 else title

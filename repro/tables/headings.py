@@ -61,12 +61,15 @@ _FILLERS = re.compile(
 _NAMED_SO = re.compile(
     r"to[\s_/-]+p?best(?:[\s_/-]*\d)?|best\s?/\s?\d|de[\s/-]+p?best[\s/-]+\d|max[_-]?min|min[_-]?max"
 )
+_SPACES = re.compile(r"\s+")
 _UNIT = re.compile(r"[\[(][^\[\]()]*[\])]")
 _RUNS = re.compile(
     r"(?P<before>\d{1,6})\s*(?:independent|separate|different|random|repeated|trial|test|times\sof"
-    r"|successive|consecutive|statistical|individual)*\s*(?:[a-z]+\s)?"
-    r"(?:runs?\b|trials?\b|repetitions?\b|repeats?\b|replications?\b|times\b|executions?\b|experiments\b|次)"
-    r"|\b(?:runs?|trials?|repetitions?|repeats?|n_?runs|number\sof\sruns)\s*(?:=|:|was|is)\s*(?P<after>\d{1,6})\b",
+    r"|successive|consecutive|statistical|individual)*\s*(?:[^\W\d_]+\s)?"
+    r"(?:runs?\b|trials?\b|repetitions?\b|repeats?\b|replications?\b|times\b|executions?\b|experiments\b|次"
+    r"|ejecuciones\b|corridas\b|repeticiones\b|execuções\b|repetições\b|exécutions\b|läufen?\b|прогон)"
+    r"|\b(?:runs?|trials?|repetitions?|repeats?|n_?runs|number\sof\sruns|ejecuciones(?:\sindependientes)?)"
+    r"\s*(?:=|:|was|is)\s*(?P<after>\d{1,6})\b",
     re.IGNORECASE,
 )
 _SIZE = re.compile(r"\bn\s*=\s*(?P<after>\d{1,6})\b", re.IGNORECASE)
@@ -100,11 +103,13 @@ _RUN_WORDS = re.compile(
 )
 _PROBLEM = re.compile(
     r"(?:bench.*|func?t?i?o?n?s?|fun\.?|fn|f|test(?:\s?func.*|\s?prob.*)?|problems?|prob\.?|instances?|no\.?|#"
+    r"|fun(?:ci[óo]n(?:es)?|[çc][ãa]o|ktion(?:en)?|zione)|fonctions?|inst[aâ]n(?:cias?|z(?:en?)?)"
+    r"|probl[eè]m(?:as?|es?)?|f(?:unc(?:tion)?)?[\s_-]?id|функция|задача"
     r"|id|case|task|data\s?sets?|name|cec.*|函数|测试函数|dim(?:ensions?|\.)?|d|size|f\s?\(x\)|map|scenario|f#|type)",
     re.IGNORECASE,
 )
 _ALGORITHM = re.compile(
-    r"(?:alg(?:o(?:rithm)?s?)?\.?|methods?|optimi[sz]ers?|approach(?:es)?|techniques?|models?|solvers?|算法|variant)",
+    r"(?:alg(?:o(?:rithm(?:us|en|e)?|r[ií]tm[oa])?s?)?\.?|m[eé]t(?:hod[es]?|odos?|hodes)|verfahren|алгоритм|метод|optimi[sz]ers?|approach(?:es)?|techniques?|models?|solvers?|算法|variant)",
     re.IGNORECASE,
 )
 _STATISTIC = re.compile(
@@ -138,6 +143,7 @@ def statistics_in(label: str) -> tuple[tuple[str, ...], str]:
     for start, end, _ in sorted(found, reverse=True):
         rest = rest[:start] + " " + rest[end:]
     rest = _FILLERS.sub(" ", _UNIT.sub(" ", rest) if found else rest) if found else rest
+    rest = _SPACES.sub(" ", rest)
     return tuple(name for *_, name in sorted(found)), rest.strip(" .,:;_-/|±()[]+=&%\t")
 
 

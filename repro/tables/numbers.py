@@ -52,6 +52,7 @@ _NOT_A_NUMBER = re.compile(r"[-+]?\s?#?(?:nan|ind|-1\.#ind|num!?|div/0!)", re.IG
 _INFINITE = re.compile(r"[-+]?\s?(?:inf(?:inity)?|∞)", re.IGNORECASE)
 _TEST_MARK = re.compile(rf"\(?{_SIGN}{{1,3}}\)?|ns|n\.s\.")
 _FORMULA = re.compile(r"=.*[\w(].*")
+_LOST_SIGN = re.compile(r"[-+0-9.eE]*\(cid:[0-9]{1,4}\)[0-9.]+(?:[eE]\(cid:[0-9]{1,4}\)[0-9]+)?")
 _BOUND = re.compile(r"(?:p\s?)?(?P<side><=|>=|<<|[<>≤≥≪≫])\s?(?P<rest>.+)")
 _ABOUT = re.compile(r"[~≈]\s?[-+.0-9].*|(?:ca\.|about|approx\.?)\s.*")
 _SPACED = re.compile(r"[0-9][ \t\r\n]+[0-9]")  # narrow spaces alone part groups of digits
@@ -211,6 +212,7 @@ def _no_number(text: str) -> NoNumber:
         (_ABOUT, "it is printed as approximate"),
         (_TEST_MARK, "it is a mark of a test"),
         (_FORMULA, "it is a formula, which is not run"),
+        (_LOST_SIGN, "a sign was lost in copying, most likely a minus"),
     )
     for pattern, because in usual:
         if pattern.fullmatch(text):

@@ -98,6 +98,7 @@ def _printed(entries: Sequence[Entry]) -> _Printed:
     ranks: dict[str, dict[str, Cell]] = defaultdict(dict)
     totals: dict[tuple[str, int], dict[str, Cell]] = defaultdict(dict)
     times: Counter[tuple[str, str]] = Counter()  # an average rank and an overall rank, say
+    again: set[str] = set()
     several = len({entry.problem for entry in entries if entry.problem}) > 1
     for entry in entries:
         # in a line of sums alone, nothing tells that its columns are algorithms
@@ -109,7 +110,10 @@ def _printed(entries: Sequence[Entry]) -> _Printed:
             totals[word, times[word, name]][name] = entry.number
             times[word, name] += 1
         elif entry.statistic == "rank" and entry.algorithm:
+            again = again | {entry.problem} if entry.algorithm in ranks[entry.problem] else again
             ranks[entry.problem][entry.algorithm] = entry.number
+    # what stands twice under one name cannot be told apart
+    ranks = {problem: row for problem, row in ranks.items() if problem not in again}
     return _Printed(ranks=ranks, totals=[(word, row) for (word, _), row in totals.items()])
 
 

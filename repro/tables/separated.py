@@ -7,12 +7,12 @@ from collections.abc import Iterator, Sequence
 
 from repro.tables.grids import Grid, grid
 from repro.tables.markup import plain
-from repro.tables.numbers import NumberForm, number_form
+from repro.tables.numbers import NumberForm, number_form, split_pair
 
 _RULE = re.compile(r"[\s|:+=_─━═┼│—-]*")
-_COMMA_NUMBER = re.compile(r"[-+−]?(?:\d{1,3}(?:\.\d{3})+|\d+),\d+(?:[eE][-+−]?\d+)?%?")
-_GROUPED = re.compile(r"[-+−]?[1-9]\d{0,2}(?:,\d{3})+")
-_POINT_NUMBER = re.compile(r"[-+−]?\d*\.\d+(?:[eE][-+−]?\d+)?%?")
+_COMMA = re.compile(r"(?<![\d.,])(?:\d{1,3}(?:\.\d{3})+|\d+),\d+(?![\d.,])")
+_GROUPED = re.compile(r"[1-9]\d{0,2}(?:,\d{3})+")
+_POINT = re.compile(r"(?<![\d.,])\d*\.\d+(?![\d.,])")
 _HEADING = re.compile(r"#{1,6}\s+|[*+-]\s+|\*\*|__|(?=tab(?:le|\.)\s)|:\s+", re.IGNORECASE)
 _LONGEST_FIELD = 100_000
 _SPACES = re.compile(r"\t+|\s{2,}")
@@ -22,7 +22,7 @@ def separated_grid(text: str, title: str = "") -> Grid:
     """Return the grid of CSV or TSV: the separator is the one that gives the most even lines."""
     lines = text.splitlines()
     rows = max((_rows(lines, mark) for mark in ",;\t|"), key=_evenness)
-    return _with_points(grid(title, rows))
+    return grid(title, rows)
 
 
 def _rows(lines: Sequence[str], mark: str) -> list[list[str]]:
@@ -43,27 +43,28 @@ def _evenness(rows: Sequence[Sequence[str]]) -> tuple[float, int]:
     return sum(longer.values()) / lengths.total() + longer[usual] / lengths.total(), usual
 
 
-def _with_points(whole: Grid) -> Grid:
+def with_points(whole: Grid) -> Grid:
     """Return the grid with decimal points, where its numbers have decimal commas."""
     texts = [text for line in whole.lines for text in line]
-    commas = [text for text in texts if _COMMA_NUMBER.fullmatch(text)]
-    if not commas or all(_GROUPED.fullmatch(text) for text in commas):
+    commas = [text for text in texts if _COMMA.search(text) and _is_numeric(_pointed(text))]
+    marks = [mark for text in commas for mark in _COMMA.findall(text)]
+    if not marks or all(_GROUPED.fullmatch(mark) for mark in marks):
         return whole
-    if any(_POINT_NUMBER.fullmatch(text) for text in texts):
+    if any(_POINT.search(text) and "," not in text and _is_numeric(text) for text in texts):
         return whole
-    lines = [
-        [
-            text.replace(".", "").replace(",", ".") if _COMMA_NUMBER.fullmatch(text) else text
-            for text in line
-        ]
-        for line in whole.lines
-    ]
-    notes = (*whole.notes, f"decimal commas, as in {commas[0]}, are read as points")
+    known = set(commas)
+    lines = [[_pointed(text) if text in known else text for text in line] for line in whole.lines]
+    notes = (*whole.notes, f"decimal commas, as in {marks[0]}, are read as points")
     return Grid(title=whole.title, lines=tuple(map(tuple, lines)), notes=notes)
 
 
+def _is_numeric(text: str) -> bool:
+    return isinstance(number_form(text), NumberForm) or split_pair(text) is not None
+
+
 def _pointed(text: str) -> str:
-    return text.replace(".", "").replace(",", ".")
+    """Return the text with points for decimal commas, without points that part groups."""
+    return _COMMA.sub(lambda mark: mark[0].replace(".", "").replace(",", "."), text)
 
 
 def piped_grids(text: str) -> list[Grid]:
@@ -78,7 +79,7 @@ def piped_grids(text: str) -> list[Grid]:
             continue
         if lines:
             titles = dict.fromkeys(filter(None, (heading, title)))
-            found.append(_with_points(grid(" · ".join(titles), lines)))
+            found.append(grid(" · ".join(titles), lines))
             heading = title = ""
             lines = []
         if line.strip():
@@ -98,8 +99,8 @@ def pasted_grid(text: str) -> Grid:
     lines = [line.strip("\n") for line in text.splitlines() if not _is_rule(line)]
     apart = [_apart(line) for line in lines]
     if _evenness(apart)[0] > 1:
-        return _with_points(grid("", _in_columns(lines, apart)))
-    return _with_points(grid("", list(_by_single_spaces(lines))))
+        return grid("", _in_columns(lines, apart))
+    return grid("", list(_by_single_spaces(lines)))
 
 
 def _is_rule(line: str) -> bool:

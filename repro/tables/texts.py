@@ -8,7 +8,7 @@ from repro.errors import InputError
 from repro.tables.grids import MOST_CELLS, Grid, parted
 from repro.tables.latex import latex_grids
 from repro.tables.pages import page_grids
-from repro.tables.separated import pasted_grid, piped_grids, separated_grid
+from repro.tables.separated import pasted_grid, piped_grids, separated_grid, with_points
 
 Form = Literal["separated", "markdown", "latex", "html", "pasted"]
 _LATEX = re.compile(r"\\begin\s*\{(?:tabular|longtable|tabu|array|NiceTabular|tblr)|&[^\n]*\\\\")
@@ -22,7 +22,7 @@ def tables_in(text: str, form: Form | None = None) -> list[Grid]:
 
     InputError where there are more cells than any printed table has.
     """
-    whole = _READERS[form or form_of(text)](text)
+    whole = [with_points(grid) for grid in _READERS[form or form_of(text)](text)]
     cells = sum(len(grid.lines) * len(grid.lines[0]) for grid in whole if grid.lines)
     if cells > MOST_CELLS:
         message = f"it holds {cells} cells; at most {MOST_CELLS} are read"

@@ -71,3 +71,12 @@ def test_of_two_spreads_only_the_one_that_checks_read_is_counted() -> None:
     (found,) = audit_text("F,Mean,Std,SEM\nF1,1.0,0.3,0.1\n", AuditOptions(runs=9))
 
     assert (found.cells, found.checked) == (3, 2)
+
+
+def test_the_title_of_a_table_is_said_without_markup() -> None:
+    text = (
+        r"\caption{Costs of \textit{set\_a}} \begin{tabular}{lr} F & Mean \\ F1 & 1.5 \end{tabular}"
+    )
+    (found,) = audit_text(text, AuditOptions())
+
+    assert found.label == "Costs of set_a"

@@ -1,7 +1,7 @@
 import pytest
 
 from repro.tables.gathered import Gathered, gathered
-from repro.tables.headings import heads_runs
+from repro.tables.headings import heads_runs, statistics_in
 from repro.tables.texts import tables_in
 
 RANK_FIRST = """| Rank | Algorithm | Best | Mean |
@@ -84,3 +84,7 @@ def test_a_sign_of_percent_behind_a_statistic_names_no_algorithm() -> None:
     found = said("F,Mean,SR %\nF1,1.5,100%\nF2,2.5,90%\n")
 
     assert ("F1", "", "success rate", "100%") in found
+
+
+def test_what_a_heading_says_beside_its_statistic_has_single_spaces() -> None:
+    assert statistics_in("Average number of function evaluations")[1] == "number evaluations"

@@ -136,3 +136,9 @@ def test_average_ranks_alone_have_the_sum_of_the_places(text: str) -> None:
     assert audited(text, first="1.00").rows == ()
     assert row.explanation == "1.20 + 2.33 + 2.67 = 6.2; the average ranks of 3 have the sum 6"
     assert row.condition == "just these are ranked, and ties share the mean of their places"
+
+
+def test_ranks_that_stand_twice_under_one_name_are_not_counted_as_checked() -> None:
+    table = audited("Rank,Algorithm,Mean\n1,GA,1.5\n2,GA,1.6\n3,PSO,1.7\n")
+
+    assert (table.cells, table.checked) == (6, 3)

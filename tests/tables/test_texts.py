@@ -7,8 +7,10 @@ from hypothesis import strategies as st
 from repro.errors import InputError
 from repro.tables.audit_options import AuditOptions
 from repro.tables.auditing import AuditedTable, audit_text, audited
+from repro.tables.gathered import gathered
 from repro.tables.grids import grid
-from repro.tables.headings import statistics_in
+from repro.tables.headings import runs_in, statistics_in
+from repro.tables.numbers import NoNumber, number_form
 from repro.tables.texts import Form, form_of, tables_in
 
 CSV = "F,Algorithm,Best,Mean,Worst,Std\nF1,WOA,1.0,2.0,3.0,0.5\n,PSO,1.5,2.5,3.5,0.6\n"
@@ -189,3 +191,45 @@ def test_headings_with_underscores_and_counts_are_known(
     heading: str, statistics: tuple[str, ...]
 ) -> None:
     assert statistics_in(heading)[0] == statistics
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "<table><tr><th>F<th>Mean<tr><td>F1<td>1,2×10<sup>−3</sup><tr><td>F2<td>2,5 ± 0,5</table>",
+        r"F & Mean \\ F1 & $1,2\times10^{-3}$ \\ F2 & 2,5 (0,5) \\",
+        "| F | Mean |\n|---|---|\n| F1 | 1,2e-3 |\n| F2 | 2,5 ± 0,5 |\n",
+    ],
+)
+def test_decimal_commas_are_read_in_every_form_of_a_table(text: str) -> None:
+    (grid,) = tables_in(text)
+    read = gathered(grid, "")
+
+    assert [entry.number.printed.value for entry in read.entries] == [0.0012, 2.5, 0.5]
+    assert read.notes == ("decimal commas, as in 1,2, are read as points",)
+
+
+@pytest.mark.parametrize("other", ["1.5", "2,345,678"])
+def test_commas_that_part_groups_stay(other: str) -> None:
+    (grid,) = tables_in(f"| F | Mean |\n|---|---|\n| F1 | 1,234 |\n| F2 | {other} |\n")
+
+    assert gathered(grid, "").entries[0].number.printed.value == 1234
+
+
+@pytest.mark.parametrize(
+    ("text", "n"),
+    [
+        ("aus 30 unabhängigen Läufen", 30),
+        ("sur 25 exécutions", 25),
+        ("50 ejecuciones", 50),
+        ("Ejecuciones independientes: 50", 50),
+    ],
+)
+def test_numbers_of_runs_are_told_in_other_languages(text: str, n: int) -> None:
+    assert [told for told, _ in runs_in(text)] == [n]
+
+
+def test_a_sign_that_was_lost_in_copying_is_said() -> None:
+    form = number_form("6.59E(cid:4)28")
+
+    assert form == NoNumber("a sign was lost in copying, most likely a minus")
