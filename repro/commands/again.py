@@ -17,7 +17,7 @@ from repro.model.claims import CellClaim, Claim
 from repro.model.evidence import Evidence
 from repro.model.identifiers import claim_names, place_of
 from repro.model.paper import Paper
-from repro.report.words import digits_for, interval, number
+from repro.report.words import count_of, digits_for, interval, number
 from repro.runs.gather import gather
 from repro.runs.plan import Task, plan
 from repro.runs.session import mended, run_missing
@@ -50,7 +50,7 @@ class Again:
         worded = not isinstance(claim, CellClaim) and claim.in_words
         digits = 4 if worded else digits_for(claim.printed)
         unit = f" {claim.printed.unit}".rstrip()
-        runs = f"{self.runs} run{'s' * (self.runs > 1)}"
+        runs = count_of(self.runs, "run")
         runs += f", {self.stored} of them from the store" if self.stored else ""
         how = f"first repeat, {runs}" if self.runs else "computed, no run"
         return (
@@ -95,9 +95,8 @@ def run_again(
     re-run needs, RunFailedError where a run fails.
     """
     claim = named_claim(paper, name)
-    if claim.measure is None:
-        why = claim.gap.because if not isinstance(claim, CellClaim) and claim.gap else ""
-        message = f"{name} cannot be run: {why}"
+    if claim.measure is None or claim.gap:
+        message = f"{name} cannot be run: {claim.gap.because if claim.gap else 'no measure'}"
         raise InputError(message)
     needed = set(claim.measure.cells())
     tasks = [
@@ -125,6 +124,9 @@ def _made(
 
 def named_claim(paper: Paper, name: str) -> Claim:
     """Return the claim of that identifier, or the only one with `name` in its identifier."""
+    if not paper.claims:
+        message = f"{paper.key} claims no printed number: there is none to run again"
+        raise InputError(message)
     names = dict(zip(claim_names(paper.claims), paper.claims, strict=True))
     if name in names:
         return names[name]
@@ -132,7 +134,8 @@ def named_claim(paper: Paper, name: str) -> Claim:
     if len(near) == 1:
         return names[near[0]]
     listed = "\n  ".join((near or list(names))[:MOST_NAMES])
-    message = f"{paper.key} has {len(near) or 'no'} numbers named {name!r}; some names:\n  {listed}"
+    many = count_of(len(near), "number") if near else "no numbers"
+    message = f"{paper.key} has {many} named {name!r}; some names:\n  {listed}"
     raise InputError(message)
 
 

@@ -70,6 +70,7 @@ def compare(
 
     Raises InputError for a place, name or folder that cannot be used.
     """
+    papers = _with_protocols(papers)
     found = entrant(place)
     called = _checked_name(place.rpartition(":")[2] if name is None else name, papers)
     _refuse_published(folder)
@@ -104,7 +105,9 @@ def entered(paper: Paper, name: str, found: Entrant) -> Paper:
         replace(experiment, algorithms={name: found}, proposed=name)
         for experiment in paper.experiments
     )
-    bare = replace(paper, results=(), claims=(), assumptions=(), together=(), figures=())
+    bare = replace(
+        paper, results=(), claims=(), assumptions=(), together=(), figures=(), relations=()
+    )
     return replace(bare, experiments=experiments)
 
 
@@ -118,6 +121,18 @@ def _views(
         users_search_view(users_search(paper, experiment, runs, certificates, name=name))
         for experiment in paper.experiments
     )
+
+
+def _with_protocols(papers: Sequence[Paper]) -> list[Paper]:
+    """Return the papers that run something; InputError where none does."""
+    found = [paper for paper in papers if paper.experiments]
+    without = [paper.key for paper in papers if not paper.experiments]
+    if not found:
+        message = f"no experiments in {', '.join(without)}: no protocol to run a search under"
+        raise InputError(message)
+    for key in without:
+        warn(f"{key} has no experiments: it is left out")
+    return found
 
 
 def _checked_name(name: str, papers: Iterable[Paper]) -> str:

@@ -82,7 +82,7 @@ def listing_text(rows: list[Row]) -> str:
     lines = []
     for row in rows:
         lines.append(f"{row['key']}: {row['title']}")
-        lines.append(f"  tables: {', '.join(row['tables'])}; claims: {row['claims']}")
+        lines.append(f"  tables: {', '.join(row['tables']) or 'none'}; claims: {row['claims']}")
         for experiment in row["experiments"]:
             lines.append(
                 f"  {experiment['name']}: {' '.join(experiment['algorithms'])} on "
@@ -90,9 +90,10 @@ def listing_text(rows: list[Row]) -> str:
                 f"{experiment['missing']} missing"
             )
             lines.extend(_changes(experiment["changed"]))
+        if not row["experiments"]:
+            lines.append("  no experiments: nothing to run")
         if others := row["studies"]:
-            lines.append(
-                f"  {len(others)} studies besides: {sum(o['done'] for o in others)} runs done, "
-                f"{sum(o['missing'] for o in others)} missing"
-            )
+            noun = "study" if len(others) == 1 else "studies"
+            done, missing = (sum(o[state] for o in others) for state in ("done", "missing"))
+            lines.append(f"  {len(others)} {noun} besides: {done} runs done, {missing} missing")
     return "\n".join(lines) + "\n"

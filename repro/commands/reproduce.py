@@ -57,6 +57,9 @@ def run(options: Namespace) -> int:
     sys.stdout.write(f"pages: {options.reports / 'index.html'}\n")
     lists = {key: catalogue.expected_file(key, place) for key, place in options.places.items()}
     sys.stdout.write(summary(results or {"papers": []}, lists, options.master_seed))
+    for paper in chosen:
+        if not paper.experiments:
+            sys.stdout.write(f"{paper.key} has no experiments: nothing was to be run\n")
     return SOME_RUN_FAILED if failed else 0
 
 
