@@ -148,7 +148,7 @@ class Block:
         return statistic_span(
             self.printed(statistic),
             scientific=self.scientific,
-            spread=statistic in SPREADS,
+            spread=statistic if statistic in SPREADS else "",
             given=self.given,
         )
 

@@ -3,11 +3,13 @@
 import re
 from collections.abc import Iterator, Mapping, Sequence
 
+from repro.tables.arithmetic import is_less
 from repro.tables.audit_options import SPREADS, AuditOptions, Guess
 from repro.tables.gathered import VALUE, Entry, Gathered
 from repro.tables.headings import heads_runs, runs_in, sizes_in
 
 LEAST_RUNS = 2
+BESIDE_BEST = ("worst", "mean", "median")
 OF_VALUES = ("best", "mean", "median", "worst", "lowest", "highest", "q1", "q3")
 _ERROR = re.compile(r"(?<!standard )(?<!std )(?<!std\. )\berrors?\b", re.IGNORECASE)
 
@@ -43,15 +45,21 @@ def _in_a_column(table: Gathered) -> Iterator[tuple[int, str]]:
 
 
 def is_maximised(blocks: Sequence[Mapping[str, Entry]]) -> bool:
-    """Say whether, wherever a best stands with a worst or mean, it is never the lower one."""
+    """Say whether, wherever a best stands with a worst or mean, it is never the lower one.
+
+    Where these are equal but for their rounding, the next of them or the median tells.
+    """
     above = below = 0
     for block in blocks:
         best = block.get("best")
-        other = block.get("worst") or block.get("mean")
-        if best is not None and other is not None:
-            one, two = best.number.printed.value, other.number.printed.value
-            above += one > two
-            below += one < two
+        if best is None:
+            continue
+        one = best.number.printed
+        others = [block[name].number.printed for name in BESIDE_BEST if name in block]
+        telling = [two for two in others if is_less(one, two) or is_less(two, one)]
+        if telling:
+            is_above = is_less(telling[0], one)
+            above, below = above + is_above, below + (not is_above)
     return above > 0 and below == 0
 
 

@@ -3,10 +3,14 @@
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
+from repro.tables.arithmetic import joined
 from repro.tables.blocks import Block
 from repro.tables.rows import AuditRow
 
 TRIED = (*range(2, 31), 35, 40, 50, 51, 60, 75, 100, 150, 200, 300, 500, 1000)
+GROWING = ("mean-bound", "std-floor", "zero-std", "double-step", "below-minimum")
+"""Checks that allow the more the more runs there are."""
+ONE_OF_THESE = f"the number of runs is 2 to 30, or one of {', '.join(map(str, TRIED[29:]))}"
 Check = Callable[[Block], Iterable[AuditRow]]
 
 
@@ -26,17 +30,30 @@ def least_runs(block: Block, rows: Check) -> int | None:
 def rows_at_any_number(block: Block, rows: Check) -> list[AuditRow]:
     """Return the rows of a block that no number of runs tried allows.
 
-    Those that differ with it hold up to the greatest that was tried, and say so.
+    Those that differ with it say up to which number they hold, or which ones were tried.
     """
     many = list(rows(replace(block, n=TRIED[-1])))
     if not many:
         return []
-    few = rows(replace(block, n=TRIED[0]))
-    same = {(row.check, row.column, row.explanation) for row in few}
-    told = f"the number of runs is at most {TRIED[-1]}"
+    few = {_key(row): row.condition for row in rows(replace(block, n=TRIED[0]))}
+    always = [row for row in many if _key(row) in few]
+    growing = [row for row in many if row not in always and row.check in GROWING]
+    rest = [row for row in many if row not in always and row not in growing]
+    for n in TRIED if rest else ():
+        found = {(row.check, row.column) for row in rows(replace(block, n=n))}
+        rest = [row for row in rest if (row.check, row.column) in found]
+        if not rest:
+            break
+    upto = f"the number of runs is at most {TRIED[-1]}"
     return [
-        row
-        if (row.check, row.column, row.explanation) in same
-        else replace(row, condition=f"{row.condition}, and {told}" if row.condition else told)
-        for row in many
+        *(
+            replace(row, condition=joined(dict.fromkeys((row.condition, few[_key(row)]))))
+            for row in always
+        ),
+        *(replace(row, condition=joined((row.condition, upto))) for row in growing),
+        *(replace(row, condition=joined((row.condition, ONE_OF_THESE))) for row in rest),
     ]
+
+
+def _key(row: AuditRow) -> tuple[str, str | None, str]:
+    return row.check, row.column, row.explanation

@@ -92,3 +92,11 @@ def test_numbers_under_a_title_of_ranks_that_are_none_stay_unread() -> None:
 
     assert said(table) == []
     assert table.checked == 0
+
+
+def test_places_may_share_the_last_or_the_mean_of_them() -> None:
+    lines = ("F,GWO,PSO,DE", "F1 Rank,1,2,3", "F2 Rank,2,1,3", "Average rank,1.5,1.5,3")
+    last, mean = ("\n".join([*lines, f"Final rank,{places}"]) for places in ("2,2,3", "1.5,1.5,3"))
+
+    assert said(audited(last)) == said(audited(mean)) == []
+    assert len(said(audited(last.replace("2,2,3", "3,2,2")))) == 1
