@@ -102,11 +102,14 @@ def statistic_span(
     return Span(around.low - tiny, around.high + tiny)
 
 
-def is_less(one: Printed, other: Printed) -> bool:
-    """Say whether a number printed as `one` is less than `other` by more than their rounding."""
+def is_less(one: Printed, other: Printed, *, share: Fraction = Fraction(0)) -> bool:
+    """Say whether a number printed as `one` is less than `other` by more than their rounding.
+
+    And by more than a `share` of either.
+    """
     given = Arithmetic(doubles=True, exact_zeros=True)
     low, high = (statistic_span(each, scientific=True, given=given) for each in (one, other))
-    return low.high < high.low
+    return low.high + share * abs(low.high) < high.low - share * abs(high.low)
 
 
 def is_bare_zero(printed: Printed, *, scientific: bool) -> bool:

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
 
 from repro.tables.arithmetic import is_less
 from repro.tables.audit_options import SPREADS, AuditOptions, Guess
@@ -9,7 +10,7 @@ from repro.tables.gathered import VALUE, Entry, Gathered
 from repro.tables.headings import heads_runs, runs_in, sizes_in
 
 LEAST_RUNS = 2
-BESIDE_BEST = ("worst", "mean", "median")
+SUMMING = Fraction(1, 2**12)  # of a mean, summed in single precision
 OF_VALUES = ("best", "mean", "median", "worst", "lowest", "highest", "q1", "q3")
 _ERROR = re.compile(r"(?<!standard )(?<!std )(?<!std\. )\berrors?\b", re.IGNORECASE)
 
@@ -45,22 +46,31 @@ def _in_a_column(table: Gathered) -> Iterator[tuple[int, str]]:
 
 
 def is_maximised(blocks: Sequence[Mapping[str, Entry]]) -> bool:
-    """Say whether, wherever a best stands with a worst or mean, it is never the lower one.
+    """Say whether, wherever a best stands with a worst, median or mean, it is never the lower one.
 
-    Where these are equal but for their rounding, the next of them or the median tells.
+    Numbers that are equal but for their rounding do not tell; nor does a mean within what summing
+    may lose, unless nothing else tells.
     """
-    above = below = 0
-    for block in blocks:
-        best = block.get("best")
-        if best is None:
-            continue
-        one = best.number.printed
-        others = [block[name].number.printed for name in BESIDE_BEST if name in block]
-        telling = [two for two in others if is_less(one, two) or is_less(two, one)]
-        if telling:
-            is_above = is_less(telling[0], one)
-            above, below = above + is_above, below + (not is_above)
-    return above > 0 and below == 0
+    for summing in (SUMMING, Fraction(0)):
+        senses = [_greater_best(block, summing) for block in blocks]
+        if any(senses):
+            return min(senses) >= 0
+    return False
+
+
+def _greater_best(block: Mapping[str, Entry], summing: Fraction) -> int:
+    """Return 1 where a best is the greater number, -1 where the lower, 0 where nothing tells."""
+    if "best" not in block:
+        return 0
+    best = block["best"].number.printed
+    for name, share in (("worst", Fraction(0)), ("median", Fraction(0)), ("mean", summing)):
+        if name in block:
+            other = block[name].number.printed
+            if is_less(other, best, share=share):
+                return 1
+            if is_less(best, other, share=share):
+                return -1
+    return 0
 
 
 def guess_lines(table: Gathered, options: AuditOptions, *, maximised: bool) -> Iterator[Guess]:

@@ -104,3 +104,11 @@ def test_numbers_apart_by_little_or_from_a_bare_zero_say_which_sense_is_better()
 
         assert found.proofs == ()
         assert any(guess.says.startswith("maximisation?") for guess in found.guesses)
+
+
+def test_a_mean_of_equal_floats_does_not_say_which_sense_is_better() -> None:
+    lines = ("F1,112867824.0,6131945.0,188.0", "F2,239980.328125,239980.343750,239980.328125")
+    (found,) = audit_text("\n".join(["F,Best,Mean,Worst", *lines]), AuditOptions(runs=30))
+
+    assert found.proofs == ()
+    assert any(guess.says.startswith("maximisation?") for guess in found.guesses)
