@@ -95,7 +95,7 @@ def _audited(
 ) -> AuditedTable:
     runs, guess = guessed_runs(table, context, options)
     parts = _parts(table.entries)
-    maximised = options.maximise if options.maximise is not None else is_maximised(parts)
+    maximised = options.maximise if options.maximise is not None else is_maximised(parts, runs)
     blocks = [
         block for part in parts if (block := _block(part, runs, options, maximised=maximised))
     ]

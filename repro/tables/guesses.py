@@ -4,13 +4,13 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 
-from repro.tables.arithmetic import is_less
+from repro.tables.arithmetic import Arithmetic, is_less
 from repro.tables.audit_options import SPREADS, AuditOptions, Guess
 from repro.tables.gathered import VALUE, Entry, Gathered
 from repro.tables.headings import heads_runs, runs_in, sizes_in
 
 LEAST_RUNS = 2
-SUMMING = Fraction(1, 2**12)  # of a mean, summed in single precision
+MANY_RUNS = 1000
 OF_VALUES = ("best", "mean", "median", "worst", "lowest", "highest", "q1", "q3")
 _ERROR = re.compile(r"(?<!standard )(?<!std )(?<!std\. )\berrors?\b", re.IGNORECASE)
 
@@ -45,17 +45,15 @@ def _in_a_column(table: Gathered) -> Iterator[tuple[int, str]]:
             yield int(printed.value), entry.number.column
 
 
-def is_maximised(blocks: Sequence[Mapping[str, Entry]]) -> bool:
+def is_maximised(blocks: Sequence[Mapping[str, Entry]], runs: int | None = None) -> bool:
     """Say whether, wherever a best stands with a worst, median or mean, it is never the lower one.
 
-    Numbers that are equal but for their rounding do not tell; nor does a mean within what summing
-    may lose, unless nothing else tells.
+    Numbers that are equal but for their rounding do not tell; nor does a mean within what the
+    summing of so many runs may lose.
     """
-    for summing in (SUMMING, Fraction(0)):
-        senses = [_greater_best(block, summing) for block in blocks]
-        if any(senses):
-            return min(senses) >= 0
-    return False
+    summing = 2 * ((runs or MANY_RUNS) + 2) * Arithmetic().roundoff
+    senses = [_greater_best(block, summing) for block in blocks]
+    return any(senses) and min(senses) >= 0
 
 
 def _greater_best(block: Mapping[str, Entry], summing: Fraction) -> int:

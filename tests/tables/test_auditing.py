@@ -112,3 +112,10 @@ def test_a_mean_of_equal_floats_does_not_say_which_sense_is_better() -> None:
 
     assert found.proofs == ()
     assert any(guess.says.startswith("maximisation?") for guess in found.guesses)
+
+
+def test_of_equal_floats_alone_a_mean_below_the_best_does_not_mean_maximisation() -> None:
+    text = "F,Best,Mean,Worst\nF1,2.7846096e-7,2.7846093e-7,2.7846096e-7\n"
+    (found,) = audit_text(text, AuditOptions(runs=43))
+
+    assert "minimisation" in [guess.says for guess in found.guesses]
