@@ -10,7 +10,8 @@ from repro.tables.rows import AuditRow
 TRIED = (*range(2, 31), 35, 40, 50, 51, 60, 75, 100, 150, 200, 300, 500, 1000)
 GROWING = ("mean-bound", "std-floor", "zero-std", "double-step", "below-minimum")
 """Checks that allow the more the more runs there are."""
-ONE_OF_THESE = f"the number of runs is 2 to 30, or one of {', '.join(map(str, TRIED[29:]))}"
+FEW, USUAL = TRIED[0], 30
+ONE_OF_THESE = f"the number of runs is {FEW}, {USUAL} or {TRIED[-1]}"
 Check = Callable[[Block], Iterable[AuditRow]]
 
 
@@ -35,19 +36,18 @@ def rows_at_any_number(block: Block, rows: Check) -> list[AuditRow]:
     many = list(rows(replace(block, n=TRIED[-1])))
     if not many:
         return []
-    few = {_key(row): row.condition for row in rows(replace(block, n=TRIED[0]))}
-    always = [row for row in many if _key(row) in few]
+    few = list(rows(replace(block, n=FEW)))
+    same = {_key(row): row.condition for row in few}
+    always = [row for row in many if _key(row) in same]
     growing = [row for row in many if row not in always and row.check in GROWING]
     rest = [row for row in many if row not in always and row not in growing]
-    for n in TRIED if rest else ():
-        found = {(row.check, row.column) for row in rows(replace(block, n=n))}
-        rest = [row for row in rest if (row.check, row.column) in found]
-        if not rest:
-            break
+    for found in (few, rows(replace(block, n=USUAL)) if rest else ()):
+        places = {(row.check, row.column) for row in found}
+        rest = [row for row in rest if (row.check, row.column) in places]
     upto = f"the number of runs is at most {TRIED[-1]}"
     return [
         *(
-            replace(row, condition=joined(dict.fromkeys((row.condition, few[_key(row)]))))
+            replace(row, condition=joined(dict.fromkeys((row.condition, same[_key(row)]))))
             for row in always
         ),
         *(replace(row, condition=joined((row.condition, upto))) for row in growing),

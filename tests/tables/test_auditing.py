@@ -82,9 +82,9 @@ def test_without_n_what_few_runs_can_have_is_no_contradiction_up_to_a_thousand()
     assert "std-bound" not in [row.check for row in found.rows]
 
 
-def test_without_n_a_mean_of_whole_numbers_is_compared_with_every_number_tried() -> None:
+def test_without_n_what_holds_for_some_numbers_of_runs_says_for_which() -> None:
     (none,) = audit_text("F,Mean\nF1,106.16129\n", AuditOptions(integers=True))  # 3291/31
-    (some,) = audit_text("F,Mean\nF1,106.33333\n", AuditOptions(integers=True))  # 319/3
+    (some,) = audit_text("F,Mean\nF1,106.33333\n", AuditOptions(integers=True))  # 3190/30
 
     assert [row.condition for row in none.rows] == [f"{IN_DOUBLES}, and {ONE_OF_THESE}"]
     assert some.rows == ()
