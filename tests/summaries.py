@@ -13,6 +13,7 @@ from repro.audit import AuditRow, Grade, audit
 from repro.functions import FUNCTIONS
 from repro.model.claims import CellClaim, Sentence
 from repro.model.experiment import Experiment
+from repro.model.figure_faults import tables_of
 from repro.model.measures.measure import Statistic
 from repro.model.paper import Paper, Source
 from repro.model.tolerances import Percent
@@ -99,7 +100,7 @@ def paper_of(
         source=Source(authors="Doe", title="An invented table"),
         summary="",
         experiments=(experiment,),
-        inputs=(),
+        inputs=tuple(t for t in dict.fromkeys(tables_of(relations)) if t != table),
         results=(table,),
         claims=(*cells, *claims),
         assumptions=(),

@@ -10,6 +10,7 @@ from repro.model.paper import Paper
 from repro.tables.arithmetic import NARROWEST, Arithmetic, statistic_span
 from repro.tables.relations import TableCell
 from repro.tables.rows import AuditRow, Grade, audit_row
+from repro.tables.statistic_words import SPREADS
 from repro.tables.true_numbers import Span, is_scientific, span
 
 COMPARED = replace(NARROWEST, exact_zeros=False)  # printed numbers are compared, not computed
@@ -108,6 +109,6 @@ def _span(cell: TableCell, statistic: Statistic, given: Arithmetic) -> Span:
     return statistic_span(
         cell.printed,
         scientific=is_scientific(cell.table),
-        spread=statistic.statistic in ("std", "standard error"),
+        spread=statistic.statistic if statistic.statistic in SPREADS else "",
         given=given,
     )

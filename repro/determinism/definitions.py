@@ -257,7 +257,8 @@ def _changing(module: str) -> tuple[tuple[Statement, frozenset[Definition]], ...
 
 @cache
 def _has_state(one: Definition) -> bool:
-    return any(s.changes and not s.is_import for s in _bound(one.module).get(one.name, ()))
+    bound = _bound(one.module).get(one.name, ())
+    return any(_changed_by(one.module, s) for s in bound if not s.is_import)
 
 
 def _beside(found: set[Definition]) -> list[str]:

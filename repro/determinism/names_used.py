@@ -20,7 +20,7 @@ _CHANGES = frozenset(
     }
 )
 _COMPUTED = frozenset({"globals", "locals", "eval", "exec", "__import__", "import_module"})
-_SETS = frozenset({"setattr", "delattr"})
+_SETS = frozenset({"setattr", "delattr", "__setattr__", "__delattr__"})
 
 
 def children(node: ast.AST) -> Iterator[ast.AST]:

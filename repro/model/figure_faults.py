@@ -75,20 +75,21 @@ def relation_faults(
     spoken = (
         (type(relation).__name__, table.label)
         for relation in relations
-        for table in _tables_of(relation)
+        for table in tables_of(relation)
     )
     for kind, label in dict.fromkeys(spoken):
         if label not in known:
             yield f"{kind}: no table {label!r}; {known_words(label, known)}"
 
 
-def _tables_of(part: object) -> Iterator[PublishedTable]:
+def tables_of(part: object) -> Iterator[PublishedTable]:
+    """Yield the tables of a relation, or of what is in it."""
     if isinstance(part, (PublishedTable, TableCell)):
         yield part.table if isinstance(part, TableCell) else part
     elif isinstance(part, Mapping):
-        yield from (table for each in part.values() for table in _tables_of(each))
+        yield from (table for each in part.values() for table in tables_of(each))
     elif isinstance(part, tuple | list):
-        yield from (table for each in part for table in _tables_of(each))
+        yield from (table for each in part for table in tables_of(each))
     elif isinstance(part, RELATIONS):
         for field in dataclasses.fields(part):  # type: ignore[arg-type]
-            yield from _tables_of(getattr(part, field.name))
+            yield from tables_of(getattr(part, field.name))

@@ -16,9 +16,15 @@ from repro.tables.true_numbers import TINY, TINY_STD, Span, is_scientific_number
 TINY_SINGLE = Fraction(1, 2**126)  # below it a float loses digits, or is flushed to 0
 TINY_SINGLE_STD = Fraction(1, 2**62)  # as TINY_STD: twice the root of that
 LEAST_SINGLE = Fraction(1, 2**149)  # the smallest float above 0
-LEAST_SINGLE_STD = Fraction(1, 2**76)  # below the root of that, and so below what it can give
+# Below the root of that, and so below what it can give; a standard error is less by √n, of n below
+# 2^20, and a variance has no root.
+LEAST_SINGLE_SPREADS = {
+    "std": Fraction(1, 2**76),
+    "standard error": Fraction(1, 2**86),
+    "variance": LEAST_SINGLE,
+}
 GREATEST_SINGLE = Fraction(2**128)
-DIGITS = 3  # digits of a whole number that nobody rounds away
+DIGITS = 2  # digits of a whole number that nobody rounds away
 IN_DOUBLES = "runs and statistics are kept in double precision"
 CONDITIONS = {
     "doubles": IN_DOUBLES,
@@ -73,15 +79,18 @@ def joined(conditions: Iterable[str | None]) -> str | None:
 
 
 @lru_cache(maxsize=1 << 16)
-def statistic_span(printed: Printed, *, scientific: bool, spread: bool, given: Arithmetic) -> Span:
+def statistic_span(
+    printed: Printed, *, scientific: bool, given: Arithmetic, spread: str = ""
+) -> Span:
     """Return what can stand behind a printed statistic, but for the rounding of a mean.
 
-    Where a table prints powers of ten (`scientific`), a bare 0 has no last digit. `spread` says
-    that the statistic is a standard deviation.
+    Where a table prints powers of ten (`scientific`), a bare 0 has no last digit. `spread` is
+    the name of the statistic where it says a standard deviation.
     """
     if spread:
-        in_doubles = given.doubles or 0 < printed.value < LEAST_SINGLE_STD
+        in_doubles = given.doubles or 0 < printed.value < LEAST_SINGLE_SPREADS[spread]
         tiny = TINY_STD if in_doubles else TINY_SINGLE_STD
+        tiny = tiny**2 if spread == "variance" else tiny
     else:
         tiny = TINY if given.doubles else TINY_SINGLE
     bare = given.exact_zeros and is_bare_zero(printed, scientific=scientific)
@@ -91,6 +100,16 @@ def statistic_span(printed: Printed, *, scientific: bool, spread: bool, given: A
     last = None if given.whole and kept is None else rounded_at(printed, kept or DIGITS)
     around = span(printed, last=last)
     return Span(around.low - tiny, around.high + tiny)
+
+
+def is_less(one: Printed, other: Printed, *, share: Fraction = Fraction(0)) -> bool:
+    """Say whether a number printed as `one` is less than `other` by more than their rounding.
+
+    And by more than a `share` of either.
+    """
+    given = Arithmetic(doubles=True, exact_zeros=True)
+    low, high = (statistic_span(each, scientific=True, given=given) for each in (one, other))
+    return low.high + share * abs(low.high) < high.low - share * abs(high.low)
 
 
 def is_bare_zero(printed: Printed, *, scientific: bool) -> bool:

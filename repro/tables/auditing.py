@@ -98,7 +98,7 @@ def audited_table(
     """Return the audit of a table of which it is known what its numbers are of."""
     runs, guess = guessed_runs(table, context, options)
     parts = _parts(table.entries)
-    maximised = options.maximise if options.maximise is not None else is_maximised(parts)
+    maximised = options.maximise if options.maximise is not None else is_maximised(parts, runs)
     blocks = [
         block for part in parts if (block := _block(part, runs, options, maximised=maximised))
     ]

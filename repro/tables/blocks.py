@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import cached_property
 
 from repro.tables.arithmetic import NARROWEST, Arithmetic, statistic_span
 from repro.tables.published import Printed
@@ -46,7 +47,7 @@ def known_minimum(title: str, minimum: Fraction) -> FunctionBounds:
     )
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True)  # no slots: what follows from the fields is kept
 class Block:
     """Statistics by name ("best", "mean", …) as printed in one table, over `n` runs.
 
@@ -68,7 +69,7 @@ class Block:
     whole_numbers: bool = False
     turned: bool = False
 
-    @property
+    @cached_property
     def floor(self) -> Fraction | None:
         """A number that no run lies below; None where none is known."""
         function = self.function
@@ -78,7 +79,7 @@ class Block:
             return function.floor_in_singles
         return max(function.floor, function.floor_in_singles)  # doubles lose no more than singles
 
-    @property
+    @cached_property
     def ceiling(self) -> Fraction | None:
         """A number that no run lies above; None where none is known."""
         if self.function is None or self.function.ceiling is None:
@@ -86,17 +87,17 @@ class Block:
         # a value so large is a sum or product of far fewer than 2^10 roundings
         return self.function.ceiling + abs(self.function.ceiling) * self.given.roundoff * 2**10
 
-    @property
+    @cached_property
     def mean_error(self) -> Fraction:
         """How far a computed mean may be from the true one, in whatever order it is summed."""
         return 2 * (self.n + 2) * self.given.roundoff * self.size
 
-    @property
+    @cached_property
     def greatest_mean(self) -> Fraction:
         """How large the mean can be, its sign aside."""
         return _reach(self.own_span("mean")) if "mean" in self.cells else self.size
 
-    @property
+    @cached_property
     def spread(self) -> str | None:
         """The statistic that says the standard deviation; None where none does."""
         return next((name for name in SPREADS if name in self.cells), None)
@@ -115,6 +116,15 @@ class Block:
 
     def own_span(self, statistic: str) -> Span:
         """Return what can stand behind a printed statistic, whatever the function is."""
+        if statistic not in self._own_spans:
+            self._own_spans[statistic] = self._own_span(statistic)
+        return self._own_spans[statistic]
+
+    @cached_property
+    def _own_spans(self) -> dict[str, Span]:
+        return {}
+
+    def _own_span(self, statistic: str) -> Span:
         around = self._print_span(statistic)
         if statistic == "mean":
             error = self.mean_error
@@ -148,11 +158,11 @@ class Block:
         return statistic_span(
             self.printed(statistic),
             scientific=self.scientific,
-            spread=statistic in SPREADS,
+            spread=statistic if statistic in SPREADS else "",
             given=self.given,
         )
 
-    @property
+    @cached_property
     def size(self) -> Fraction:
         """What the mean of the absolute values of the runs is at most."""
         low = self._print_span("best").low if "best" in self.cells else self.floor

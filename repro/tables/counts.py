@@ -4,9 +4,12 @@ import math
 from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 
+from repro.tables.arithmetic import joined
 from repro.tables.blocks import Block, turned
 from repro.tables.facts import Success, WinsAndLosses
+from repro.tables.graded import graded
 from repro.tables.rows import AuditRow, Grade, audit_row
 from repro.tables.true_numbers import Span, exact, shown, span
 
@@ -70,29 +73,40 @@ def _against_threshold(
         else Span(Fraction(counts[0]), Fraction(counts[-1]))
     )
     for name in ("best", "mean", "median", "worst"):
-        around = block.span(name)
-        low, high = _allowed(name, block, below, threshold)
-        if around is None:
-            continue
-        if high is not None and around.low > high:
-            says = f"at most {shown(high)}"
-        elif low is not None and around.high < low:
-            says = f"at least {shown(low)}"
-        else:
-            continue
-        yield audit_row(
-            paper,
-            (success.rate, block.cells[name]),
-            check="success-threshold",
-            grade=Grade.INCONSISTENT,
-            explanation=(
-                f"where {success.rate.printed.text}{_percent(success)} of "
-                f"{n if success.is_told else 'the'} runs "
-                f"reach {shown(threshold)}, the {block.word(name)} is {says}; printed is "
-                f"{block.printed(name).text}"
-            ),
-            condition=success.condition,
-        )
+        if name in block.cells:
+            rows = graded(
+                paper,
+                block,
+                (name,),
+                check="success-threshold",
+                finds=partial(_contradicted, name, success, below, threshold),
+                beside=(success.rate,),
+                grade=Grade.INCONSISTENT,
+            )
+            for row in rows:
+                yield replace(row, condition=joined((row.condition, success.condition)))
+
+
+def _contradicted(
+    name: str, success: Success, below: Span, threshold: Fraction, block: Block
+) -> str:
+    around = block.span(name)
+    low, high = _allowed(name, block, below, threshold)
+    moved = abs(threshold) * block.given.roundoff  # a run may be kept as the float next to it
+    if around is None:
+        return ""
+    if high is not None and around.low > high + moved:
+        says = f"at most {shown(high)}"
+    elif low is not None and around.high < low - moved:
+        says = f"at least {shown(low)}"
+    else:
+        return ""
+    rate = f"{success.rate.printed.text}{_percent(success)}"
+    return (
+        f"where {rate} of {success.runs if success.is_told else 'the'} runs reach "
+        f"{shown(threshold)}, the {block.word(name)} is {says}; printed is "
+        f"{block.printed(name).text}"
+    )
 
 
 def _percent(success: Success) -> str:

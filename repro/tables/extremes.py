@@ -62,24 +62,27 @@ def _best_share(n: int, low: Fraction, high: Fraction, share: Span) -> Widest | 
     """Return the widest sample whose sum is n·low + t·(high - low) for some t in `share`."""
     if share.low > share.high:
         return None
+    ends = (share.low, share.high)
     whole = range(math.ceil(share.low), math.floor(share.high) + 1)
-    width = high - low
-    samples = []
-    # between whole numbers the sum of squares is convex in t, so it peaks at one of these
-    for t in (share.low, share.high, *map(Fraction, whole)):
-        upper = min(math.floor(t), n - 1)
-        part = t - upper
-        samples.append(
-            Widest(
-                squares=width**2 * (upper + part**2 - t**2 / n),
-                n=n,
-                low=low,
-                high=high,
-                upper=upper,
-                between=low + part * width,
-            )
-        )
-    return max(samples, key=lambda sample: sample.squares)
+    # between whole numbers the sum of squares is convex in t, so it peaks at an end or at a whole
+    # number, of which the one next to n/2 gives most
+    middle = [Fraction(min(max(n // 2, whole[0]), whole[-1]))] if whole else []
+    width, t = high - low, max((*ends, *middle), key=lambda t: _squares(n, t))
+    upper = min(math.floor(t), n - 1)
+    return Widest(
+        squares=width**2 * _squares(n, t),
+        n=n,
+        low=low,
+        high=high,
+        upper=upper,
+        between=low + (t - upper) * width,
+    )
+
+
+def _squares(n: int, t: Fraction) -> Fraction:
+    """Return the sum of squares about the mean of n numbers: ones, a part of one, and zeros."""
+    upper = min(math.floor(t), n - 1)
+    return upper + (t - upper) ** 2 - t**2 / n
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

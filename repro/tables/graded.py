@@ -13,6 +13,7 @@ from repro.tables.arithmetic import (
     rounded_at,
 )
 from repro.tables.blocks import Block
+from repro.tables.relations import Cell
 from repro.tables.rows import AuditRow, Grade, audit_row
 from repro.tables.true_numbers import exact
 
@@ -25,11 +26,14 @@ def graded(
     check: str,
     finds: Callable[[Block], str],
     condition: str | None = None,
+    beside: tuple[Cell, ...] = (),
+    grade: Grade = Grade.IMPOSSIBLE,
 ) -> Iterator[AuditRow]:
-    """Yield the row of what a check finds impossible, with the least that it needs as condition.
+    """Yield the row of what a check finds, with the least that it needs as condition.
 
     `finds` returns an explanation, or nothing where it finds nothing; the one shown takes all for
-    granted. `condition` is what the check needs however the table was made.
+    granted. `condition` is what the check needs however the table was made. Cells `beside` those of
+    the statistics may be what contradicts them.
     """
     explanation = finds(block)  # with all granted: what that does not find, nothing else does
     if not explanation:
@@ -38,9 +42,9 @@ def graded(
     needed = next(given for given in (*tried, block.given) if finds(replace(block, given=given)))
     yield audit_row(
         paper,
-        tuple(block.cells[name] for name in statistics),
+        (*beside, *(block.cells[name] for name in statistics)),
         check=check,
-        grade=Grade.IMPOSSIBLE,
+        grade=grade,
         explanation=explanation,
         condition=joined((condition, needed.beyond(tried[0]))),
     )

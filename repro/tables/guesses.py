@@ -2,12 +2,15 @@
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
 
+from repro.tables.arithmetic import Arithmetic, is_less
 from repro.tables.audit_options import SPREADS, AuditOptions, Guess
 from repro.tables.gathered import VALUE, Entry, Gathered
 from repro.tables.headings import heads_runs, runs_in, sizes_in
 
 LEAST_RUNS = 2
+MANY_RUNS = 1000
 OF_VALUES = ("best", "mean", "median", "worst", "lowest", "highest", "q1", "q3")
 _ERROR = re.compile(r"(?<!standard )(?<!std )(?<!std\. )\berrors?\b", re.IGNORECASE)
 
@@ -42,17 +45,30 @@ def _in_a_column(table: Gathered) -> Iterator[tuple[int, str]]:
             yield int(printed.value), entry.number.column
 
 
-def is_maximised(blocks: Sequence[Mapping[str, Entry]]) -> bool:
-    """Say whether, wherever a best stands with a worst or mean, it is never the lower one."""
-    above = below = 0
-    for block in blocks:
-        best = block.get("best")
-        other = block.get("worst") or block.get("mean")
-        if best is not None and other is not None:
-            one, two = best.number.printed.value, other.number.printed.value
-            above += one > two
-            below += one < two
-    return above > 0 and below == 0
+def is_maximised(blocks: Sequence[Mapping[str, Entry]], runs: int | None = None) -> bool:
+    """Say whether, wherever a best stands with a worst, median or mean, it is never the lower one.
+
+    Numbers that are equal but for their rounding do not tell; nor does a mean within what the
+    summing of so many runs may lose.
+    """
+    summing = 2 * ((runs or MANY_RUNS) + 2) * Arithmetic().roundoff
+    senses = [_greater_best(block, summing) for block in blocks]
+    return any(senses) and min(senses) >= 0
+
+
+def _greater_best(block: Mapping[str, Entry], summing: Fraction) -> int:
+    """Return 1 where a best is the greater number, -1 where the lower, 0 where nothing tells."""
+    if "best" not in block:
+        return 0
+    best = block["best"].number.printed
+    for name, share in (("worst", Fraction(0)), ("median", Fraction(0)), ("mean", summing)):
+        if name in block:
+            other = block[name].number.printed
+            if is_less(other, best, share=share):
+                return 1
+            if is_less(best, other, share=share):
+                return -1
+    return 0
 
 
 def guess_lines(table: Gathered, options: AuditOptions, *, maximised: bool) -> Iterator[Guess]:

@@ -9,16 +9,24 @@ from functools import partial
 from repro.tables.blocks import Block
 from repro.tables.graded import graded
 from repro.tables.rows import AuditRow
-from repro.tables.statistic_words import quantile_share
+from repro.tables.statistic_words import quantile_share, runs_around
 from repro.tables.true_numbers import Span, shown
 
+ONE_DEFINITION = "median and quartiles are of one definition"
 MANY = 10**6  # from here on a number of runs is shown in round figures
 
 
 def order_rows(paper: str, block: Block) -> Iterator[AuditRow]:
     """Yield a row per pair that stands in the wrong order, and one for a mean out of reach."""
     for pair in _ordered(block):
-        yield from graded(paper, block, pair, check="order", finds=partial(_reversed, *pair))
+        yield from graded(
+            paper,
+            block,
+            pair,
+            check="order",
+            finds=partial(_reversed, *pair),
+            condition=_if_ordered(*pair, block.n),
+        )
     for finds in (_mean_too_low, _mean_too_high):
         yield from graded(paper, block, ("mean",), check="mean-bound", finds=finds)
 
@@ -30,6 +38,15 @@ def _ordered(block: Block) -> Iterator[tuple[str, str]]:
     yield from itertools.combinations(
         [name for name in ("best", *(name for _, name in inner), "worst") if name in block.cells], 2
     )
+
+
+def _if_ordered(lower: str, upper: str, n: int) -> str | None:
+    """Return on which condition two quantiles are in order; None where any definitions are."""
+    if quantile_share(lower) is None or quantile_share(upper) is None:
+        return None
+    # the runs from the lower one on and those up to the upper one have a run in common
+    common = runs_around(lower, n)[1] + runs_around(upper, n)[0] > n
+    return None if common else ONE_DEFINITION
 
 
 def _reversed(lower: str, upper: str, block: Block) -> str:

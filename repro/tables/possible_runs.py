@@ -3,10 +3,15 @@
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
+from repro.tables.arithmetic import joined
 from repro.tables.blocks import Block
 from repro.tables.rows import AuditRow
 
 TRIED = (*range(2, 31), 35, 40, 50, 51, 60, 75, 100, 150, 200, 300, 500, 1000)
+GROWING = ("mean-bound", "std-floor", "zero-std", "double-step", "below-minimum")
+"""Checks that allow the more the more runs there are."""
+FEW, USUAL = TRIED[0], 30
+ONE_OF_THESE = f"the number of runs is {FEW}, {USUAL} or {TRIED[-1]}"
 Check = Callable[[Block], Iterable[AuditRow]]
 
 
@@ -37,21 +42,32 @@ def possible_runs(block: Block, rows: Check) -> str:
 def rows_at_any_number(block: Block, rows: Check) -> list[AuditRow]:
     """Return the rows of a block that no number of runs tried allows.
 
-    Those that differ with it hold up to the greatest that was tried, and say so. More runs do not
-    always allow more: a spread that a few give in the n-1 form can be too wide for many.
+    Those that differ with it say up to which number they hold, or which ones were tried. More runs
+    do not always allow more: a spread that a few give in the n-1 form can be too wide for many.
     """
     many = list(rows(replace(block, n=TRIED[-1])))
     if not many:
         return []
-    few = rows(replace(block, n=TRIED[0]))
-    same = {(row.check, row.column, row.explanation) for row in few}
-    told = f"the number of runs is at most {TRIED[-1]}"
-    at_all = [row for row in many if (row.check, row.column, row.explanation) in same]
-    if not at_all and least_runs(block, rows) is not None:
+    few = list(rows(replace(block, n=FEW)))
+    same = {_key(row): row.condition for row in few}
+    always = [row for row in many if _key(row) in same]
+    if not always and least_runs(block, rows) is not None:
         return []
+    growing = [row for row in many if row not in always and row.check in GROWING]
+    rest = [row for row in many if row not in always and row not in growing]
+    for found in (few, rows(replace(block, n=USUAL)) if rest else ()):
+        places = {(row.check, row.column) for row in found}
+        rest = [row for row in rest if (row.check, row.column) in places]
+    upto = f"the number of runs is at most {TRIED[-1]}"
     return [
-        row
-        if row in at_all
-        else replace(row, condition=f"{row.condition}, and {told}" if row.condition else told)
-        for row in many
+        *(
+            replace(row, condition=joined(dict.fromkeys((row.condition, same[_key(row)]))))
+            for row in always
+        ),
+        *(replace(row, condition=joined((row.condition, upto))) for row in growing),
+        *(replace(row, condition=joined((row.condition, ONE_OF_THESE))) for row in rest),
     ]
+
+
+def _key(row: AuditRow) -> tuple[str, str | None, str]:
+    return row.check, row.column, row.explanation

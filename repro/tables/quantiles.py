@@ -1,6 +1,5 @@
 """What a printed median or quantile says about the mean and the standard deviation beside it."""
 
-import math
 from collections.abc import Iterator
 from fractions import Fraction
 from functools import partial
@@ -9,7 +8,7 @@ from repro.tables.blocks import Block
 from repro.tables.graded import graded
 from repro.tables.rows import AuditRow
 from repro.tables.spread import least_squares, printed_variances
-from repro.tables.statistic_words import quantile_share
+from repro.tables.statistic_words import quantile_share, runs_around
 from repro.tables.true_numbers import root, shown
 
 
@@ -36,19 +35,11 @@ def quantile_rows(paper: str, block: Block) -> Iterator[AuditRow]:
             )
 
 
-def _counts(name: str, n: int) -> tuple[int, int]:
-    """Return how many of n values are at the quantile or below, and at it or above, at least."""
-    share = quantile_share(name) or Fraction(0)
-    if name == "median":
-        return (n + 1) // 2, (n + 1) // 2
-    return math.floor(n * share), n - math.ceil(n * share)
-
-
 def _too_far(name: str, block: Block) -> str:
     mean, at, variances = block.span("mean"), block.span(name), printed_variances(block)
     if mean is None or at is None or variances is None:
         return ""
-    below, above = _counts(name, block.n)
+    below, above = runs_around(name, block.n)
     gap, k = max(((mean - at).low, below), ((at - mean).low, above))
     if gap <= 0 or k <= 0:
         return ""
@@ -72,7 +63,7 @@ def _mean_too_low(name: str, block: Block) -> str:
     low = best.low if best else block.floor
     if mean is None or at is None or low is None:
         return ""
-    _, above = _counts(name, block.n)
+    _, above = runs_around(name, block.n)
     least = low + (at.low - low) * Fraction(above, block.n)
     if mean.high >= least or at.low < low:
         return ""
@@ -88,7 +79,7 @@ def _mean_too_high(name: str, block: Block) -> str:
     high = worst.high if worst else block.ceiling
     if mean is None or at is None or high is None:
         return ""
-    below, _ = _counts(name, block.n)
+    below, _ = runs_around(name, block.n)
     most = high - (high - at.high) * Fraction(below, block.n)
     if mean.low <= most or at.high > high:
         return ""

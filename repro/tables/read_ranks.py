@@ -153,6 +153,7 @@ def _roles(totals: Sequence[tuple[str, Row]], names: set[str]) -> list[dict[str,
 
 
 def _can_be_places(row: Row) -> bool:
-    """Say whether a line ranks as many as it has."""
+    """Say whether a line ranks as many as it has; ties may share the mean or the last place."""
     values = [cell.printed.value for cell in row.values()]
-    return min(values) == 1 and max(values) <= len(row) and all(map(float.is_integer, values))
+    halves = all((2 * value).is_integer() for value in values)
+    return halves and min(values) >= 1 and max(values) <= len(row)

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from repro.tables.arithmetic import is_less
 from repro.tables.blocks import Block, turned
 from repro.tables.rows import AuditRow, Grade, audit_row
 from repro.tables.statistic_words import quantile_share
@@ -51,15 +52,15 @@ def _all_reversed(blocks: Sequence[Block]) -> bool:
 
 
 def _sense(block: Block) -> int:
-    """Return 1 where a block prints best below worst, -1 where above, 0 where neither or both."""
+    """Return 1 where a block prints best below worst, -1 where above, 0 where neither is sure."""
     inner = [name for name in block.cells if name in INNER or quantile_share(name) is not None]
     names = [name for name in ("best", *inner[:1], "worst") if name in block.cells]
-    values = [block.printed(name).value for name in names]
-    if not values or values[0] == values[-1]:
-        return 0
+    printed = [block.printed(name) for name in names]
+    values = [each.value for each in printed]
     if values == sorted(values):
-        return 1
-    return -1 if values == sorted(values, reverse=True) else 0
+        return int(any(is_less(printed[0], each) for each in printed[1:]))
+    is_reversed = values == sorted(values, reverse=True)
+    return -int(is_reversed and any(is_less(each, printed[0]) for each in printed[1:]))
 
 
 def _question(paper: str, group: Sequence[Block]) -> AuditRow:

@@ -1,5 +1,6 @@
 """What the words for a printed statistic say: "median", "q1", "q05", "standard error"."""
 
+import math
 import re
 from fractions import Fraction
 
@@ -17,3 +18,14 @@ def quantile_share(word: str) -> Fraction | None:
         return _QUARTERS[name]
     match = _PERCENT.fullmatch(name)
     return Fraction(match[1]) / 100 if match else None
+
+
+def runs_around(word: str, n: int) -> tuple[int, int]:
+    """Return how many of n runs are at a quantile or below, and at it or above, at the least.
+
+    Whichever of the usual definitions is meant.
+    """
+    share = quantile_share(word) or Fraction(0)
+    if word == "median":
+        return (n + 1) // 2, (n + 1) // 2
+    return math.floor(n * share), n - math.ceil(n * share)

@@ -17,6 +17,8 @@ ZERO_STD = 2.2227587494850775e-162
 # units of the 53rd or 24th bit of what it was computed from.
 DOUBLES = Fraction(1, 2**40)
 SINGLES = Fraction(1, 2**20)
+# What was rounded before, each time to one digit less, is off by 0.5 + 0.05 + … units at most.
+ROUNDED = Fraction(5, 9)
 TINY = Fraction(ZERO_FITNESS)  # below it a double loses digits, or is flushed to 0
 # Squares of differences underflow or are flushed, so a computed standard deviation is off by up
 # to sqrt(2) times the root of the smallest normal double.
@@ -72,8 +74,8 @@ def span(printed: Printed, *, last: Fraction | None = None, share: Fraction = DO
     is what its arithmetic may be off by.
     """
     value, step = exact(printed.value), last or unit(printed)
-    below = step if value <= 0 else step / 2
-    above = step if value >= 0 else step / 2
+    below = step if value <= 0 else step * ROUNDED
+    above = step if value >= 0 else step * ROUNDED
     slack = share * abs(value)
     return Span(value - below - slack, value + above + slack)
 

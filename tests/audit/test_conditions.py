@@ -160,6 +160,7 @@ def test_the_last_digits_of_a_whole_number_may_be_rounded_away() -> None:
     assert condition_of(block, n=30) == f"{IN_DOUBLES}, and {WHOLE}"
     assert proved(block | {"std": "412.3"}, n=30) == {"std-bound"}
     assert proved({"best": "100", "worst": "90"}, n=30) == {"order"}
+    assert condition_of({"best": "187", "mean": "190", "worst": "188"}, n=30) == WHOLE
 
 
 def test_a_minimum_of_the_box_alone_binds_no_run_that_may_leave_it() -> None:

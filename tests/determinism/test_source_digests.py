@@ -338,6 +338,42 @@ def test_caches_of_an_object_do_not_count(package: Package) -> None:
     assert digest_of(module.SEARCH) == before
 
 
+INLINE = """
+from repro.functions import BoxProblem
+from repro.model import Experiment
+from repro.optimisers import WOA
+def own(x):
+    return 2.0 * float((x ** 2).sum())
+TEST = Experiment(
+    name="test", where="section 1", proposed="WOA",
+    problems={"Own": BoxProblem(cost=own, box=[(-1, 2)] * 3)},
+    algorithms={"WOA": WOA()}, population=10, iterations=20, runs=5,
+)
+SEARCH = TEST.problems["Own"]
+"""
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "counts"),
+    [
+        ("section 1", "section 2", False),
+        ("runs=5", "runs=6", False),
+        ('{"WOA": WOA()}', '{"WOA": WOA(), "Other": WOA(b=2.0)}', False),
+        ("2.0 * float", "3.0 * float", True),
+        ("(-1, 2)", "(-1, 3)", True),
+    ],
+)
+def test_words_around_a_problem_that_is_made_among_them_do_not_count(
+    package: Package, old: str, new: str, *, counts: bool
+) -> None:
+    assert old in INLINE
+    before = digest_of(package.load({"paper.py": INLINE}).SEARCH)
+
+    after = digest_of(package.load({"paper.py": INLINE.replace(old, new)}).SEARCH)
+
+    assert (after != before) is counts
+
+
 STRANGER = """
 from . import paper, table, constants
 for _note in ("more",):

@@ -1,7 +1,9 @@
 import pytest
 
+from repro.tables.arithmetic import IN_DOUBLES
 from repro.tables.audit_options import AuditOptions
 from repro.tables.auditing import NO_NEGATIVE, audit_text
+from repro.tables.possible_runs import ONE_OF_THESE
 
 ZERO_SPREAD = "F,Best,Worst,Std\nF1,0,1.00E-25,0.00E+00\n"
 FOUR_DIGITS = "F,Best,Mean,Worst,Std\nF1,12340,12350,12350,4.123\n"
@@ -80,3 +82,49 @@ def test_the_title_of_a_table_is_said_without_markup() -> None:
     (found,) = audit_text(text, AuditOptions())
 
     assert found.label == "Costs of set_a"
+
+
+def test_without_n_what_few_runs_can_have_is_no_contradiction_up_to_a_thousand() -> None:
+    text = "F,Best,Mean,Worst,Std\nF1,3278,417800,945500,470000\n"  # n/(n-1) more for few runs
+    (found,) = audit_text(text, AuditOptions(maximise=False))
+
+    assert "std-bound" not in [row.check for row in found.rows]
+
+
+def test_without_n_what_holds_for_some_numbers_of_runs_says_for_which() -> None:
+    (none,) = audit_text("F,Mean\nF1,106.16129\n", AuditOptions(integers=True))  # 3291/31
+    (some,) = audit_text("F,Mean\nF1,106.33333\n", AuditOptions(integers=True))  # 3190/30
+
+    assert [row.condition for row in none.rows] == [f"{IN_DOUBLES}, and {ONE_OF_THESE}"]
+    assert some.rows == ()
+
+
+def test_equal_numbers_of_unequal_digits_do_not_say_which_sense_is_better() -> None:
+    lines = ("F1,0.001443,0.00144290,0.001442,0", "F2,190,186.73,186.731,0")
+    (found,) = audit_text("\n".join(["F,Best,Mean,Worst,Std", *lines]), AuditOptions(runs=30))
+
+    assert found.proofs == ()
+    assert "minimisation" in [guess.says for guess in found.guesses]
+
+
+def test_numbers_apart_by_little_or_from_a_bare_zero_say_which_sense_is_better() -> None:
+    for line in ("32467.99414,32467.96,32467.95312", "0.0004222,2.9e-05,0", "10013,10006,10000"):
+        (found,) = audit_text(f"F,Best,Mean,Worst\nF1,{line}\n", AuditOptions(runs=30))
+
+        assert found.proofs == ()
+        assert any(guess.says.startswith("maximisation?") for guess in found.guesses)
+
+
+def test_a_mean_of_equal_floats_does_not_say_which_sense_is_better() -> None:
+    lines = ("F1,112867824.0,6131945.0,188.0", "F2,239980.328125,239980.343750,239980.328125")
+    (found,) = audit_text("\n".join(["F,Best,Mean,Worst", *lines]), AuditOptions(runs=30))
+
+    assert found.proofs == ()
+    assert any(guess.says.startswith("maximisation?") for guess in found.guesses)
+
+
+def test_of_equal_floats_alone_a_mean_below_the_best_does_not_mean_maximisation() -> None:
+    text = "F,Best,Mean,Worst\nF1,2.7846096e-7,2.7846093e-7,2.7846096e-7\n"
+    (found,) = audit_text(text, AuditOptions(runs=43))
+
+    assert "minimisation" in [guess.says for guess in found.guesses]

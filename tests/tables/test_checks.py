@@ -5,9 +5,11 @@ from fractions import Fraction
 
 import pytest
 
+from repro.tables.arithmetic import IN_DOUBLES
 from repro.tables.blocks import Block, FunctionBounds, known_minimum
 from repro.tables.checks import fact_rows, table_rows
 from repro.tables.facts import Decision, RankedRows, Success, WinsAndLosses
+from repro.tables.order import ONE_DEFINITION
 from repro.tables.printed import Printed
 from repro.tables.relations import PlacedNumber
 from repro.tables.rows import AuditRow, Grade
@@ -201,3 +203,42 @@ def test_a_rank_that_no_order_of_the_values_gives_is_told() -> None:
     values = {"A": cell("1.0"), "B": cell("2.0")}
     printed = {"A": cell("2"), "B": cell("1")}
     assert [row.check for row in told(RankedRows(values=(values,), ranks=(printed,)))] == ["rank"]
+
+
+@pytest.mark.parametrize(
+    ("cells", "rate"),
+    [
+        ({"best": "1.00000002e-1"}, "76"),  # 0.1 as a float of single precision
+        ({"mean": "422889.96875", "worst": "422889.90625"}, "0"),  # a mean of equal floats
+    ],
+)
+def test_a_success_is_one_in_the_precision_of_the_runs(cells: dict[str, str], rate: str) -> None:
+    block = block_of(cells, n=50, function=ERRORS)
+    rows = told(Success(rate=cell(rate), runs=50, threshold=Fraction(1, 10), block=block))
+
+    assert all(row.condition and IN_DOUBLES in row.condition for row in rows)
+
+
+@pytest.mark.parametrize(("n", "condition"), [(2, ONE_DEFINITION), (8, None)])
+def test_quartiles_and_median_of_two_definitions_cross_only_where_few_runs_let_them(
+    n: int, condition: str | None
+) -> None:
+    block = block_of({"median": "6.67e-08", "q3": "8.07e-10"}, n=n)  # the upper and the lower run
+    rows = list(table_rows("doe", [block]))
+
+    assert [(row.check, row.condition) for row in rows] == [("order", condition)]
+
+
+@pytest.mark.parametrize(
+    ("cells", "n"),
+    [
+        ({"worst": "1.98e-22", "mean": "5.82e-24", "standard error": "6.42e-24"}, 34),
+        ({"worst": "1.475e-21", "mean": "3.686e-23", "variance": "5.465e-44"}, 40),
+    ],
+)
+def test_a_variance_of_floats_below_their_normal_range_is_a_coarse_one(
+    cells: dict[str, str], n: int
+) -> None:
+    rows = list(table_rows("doe", [block_of({"best": "0.00e+00"} | cells, n=n)]))
+
+    assert [(row.check, row.condition) for row in rows] == [("std-bound", IN_DOUBLES)]

@@ -2,6 +2,7 @@ import pytest
 
 from repro.tables.audit_options import AuditOptions
 from repro.tables.auditing import AuditedTable, audit_text
+from repro.tables.possible_runs import ONE_OF_THESE
 
 # of three runs 0, 0 and 1 the standard deviation is 0.577, of a thousand from 0 to 1 at most 0.5
 FEW = "F,Best,Mean,Worst,Std\nF1,0.000,{mean},1.000,{std}\n"
@@ -18,11 +19,11 @@ def test_a_block_that_few_runs_allow_is_not_accused_for_what_many_would_not() ->
     assert audited("0.333", "0.577").rows == ()
 
 
-def test_a_block_that_no_number_of_runs_allows_says_up_to_which() -> None:
-    rows = audited("0.333", "0.8").rows
+def test_a_block_that_no_number_of_runs_allows_says_for_which_it_was_tried() -> None:
+    (row,) = audited("0.333", "0.8").rows
 
-    assert rows
-    assert all(row.condition == "the number of runs is at most 1000" for row in rows)
+    assert row.check == "std-bound"
+    assert row.condition == ONE_OF_THESE
 
 
 @pytest.mark.parametrize(

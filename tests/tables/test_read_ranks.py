@@ -142,3 +142,11 @@ def test_ranks_that_stand_twice_under_one_name_are_not_counted_as_checked() -> N
     table = audited("Rank,Algorithm,Mean\n1,GA,1.5\n2,GA,1.6\n3,PSO,1.7\n")
 
     assert (table.cells, table.checked) == (6, 3)
+
+
+def test_places_may_share_the_last_or_the_mean_of_them() -> None:
+    lines = ("F,GWO,PSO,DE", "F1 Rank,1,2,3", "F2 Rank,2,1,3", "Average rank,1.5,1.5,3")
+    last, mean = ("\n".join([*lines, f"Final rank,{places}"]) for places in ("2,2,3", "1.5,1.5,3"))
+
+    assert said(audited(last)) == said(audited(mean)) == []
+    assert len(said(audited(last.replace("2,2,3", "3,2,2")))) == 1
