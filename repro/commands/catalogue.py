@@ -46,7 +46,17 @@ def chosen(options: Namespace) -> list[Paper]:
             warn(line)
     options.faulty = bool(faults)
     options.places = {each.paper.key: each.place for each in found}
+    options.called = {e.paper.key: _called(e) for e in found if not of_this_house([e.place])}
     return [each.paper for each in found]
+
+
+def _called(one: Declared) -> str:
+    """Return what a paper from elsewhere is called here: its file, or its key where installed."""
+    if one.installed:
+        return one.paper.key
+    if one.place.is_relative_to(Path.cwd()):
+        return f"./{one.place.relative_to(Path.cwd())}"
+    return str(one.place)
 
 
 def chosen_one(options: Namespace) -> Paper:
@@ -157,7 +167,7 @@ def _of_entry_point(point: importlib.metadata.EntryPoint) -> Declared | Failed:
     if not isinstance(paper, Paper):
         return Failed(place=Path(point.name), says=f"{name}: it is no paper and has no {PAPER}")
     file = getattr(sys.modules.get(point.module), "__file__", None)
-    return Declared(paper=paper, place=Path(file or name))
+    return Declared(paper=paper, place=Path(file or name), installed=True)
 
 
 def _refuse_equal_keys(found: Iterable[Declared | Failed]) -> None:

@@ -20,10 +20,11 @@ LARGEST = 20_000_000  # bytes of a module
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Declared:
-    """A paper and the file that declares it."""
+    """A paper and the file that declares it; one that is `installed` is an entry point's."""
 
     paper: Paper
     place: Path
+    installed: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -18,6 +18,13 @@ def run(options: Namespace) -> int:
         if not store.path.exists():
             message = f"there is no store in {options.store}; `repro reproduce` makes one"
             raise InputError(message)
-        write_pages(store, chosen, tasks, options.reports, catalogue.order(chosen))
+        write_pages(
+            store,
+            chosen,
+            tasks,
+            options.reports,
+            catalogue.order(chosen),
+            called=options.called,
+        )
     sys.stdout.write(f"pages: {options.reports / 'index.html'}\n")
     return 0

@@ -46,7 +46,9 @@ def run(options: Namespace) -> int:
         def deeper(more: Sequence[Task]) -> None:
             failed.extend(_run(store, more, options))
 
-        results = write_pages(store, chosen, tasks, options.reports, known, deeper)
+        results = write_pages(
+            store, chosen, tasks, options.reports, known, deeper, called=options.called
+        )
         written.remember(store)
         return failed, results
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
+from types import MappingProxyType
 
 from repro.commands.shown_rows import warn
 from repro.judge.judgement import Judgement, judge
@@ -24,11 +25,13 @@ def write_pages(
     folder: Path,
     known: Sequence[str],
     run: Run = lambda _: None,
+    called: Mapping[str, str] = MappingProxyType({}),
 ) -> Json:
     """Judge the papers by what the store has of the tasks, write the pages, return the results.
 
     `known` are the keys of all papers, in their order. `run` makes the runs that a reading needs
-    besides, before it may turn a verdict; without it the store's are taken.
+    besides, before it may turn a verdict; without it the store's are taken. `called` says what
+    papers from elsewhere than this checkout are called at the command line.
     """
     own = {paper.key: [task for task in tasks if task.paper == paper.key] for paper in chosen}
     return write_report(
@@ -37,6 +40,7 @@ def write_pages(
         known,
         environments={key: store.environments(tasks) for key, tasks in own.items()},
         master_seed=tasks[0].seed if tasks else "",
+        called=called,
     )
 
 

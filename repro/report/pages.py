@@ -1,9 +1,11 @@
 """Writing the reports folder: pages, figures, tables and results.json."""
 
+import shlex
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
+from types import MappingProxyType
 
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 from markupsafe import Markup
@@ -48,6 +50,7 @@ from repro.report.words import (
     RESULTS,
     SYMBOLS,
     again_command,
+    command,
     markdown_cell,
     number,
 )
@@ -69,31 +72,33 @@ def write_report(
     *,
     environments: Mapping[str, Environments],
     master_seed: str = "",
+    called: Mapping[str, str] = MappingProxyType({}),
 ) -> Json:
     """Write the pages of what was judged, the index and results.json; return the results.
 
     `known` are the keys of all papers, in their order; entries of others are kept from before.
     `environments` says by paper in what its runs were made; that and how long they took stands in
-    a file of its own, so that equal runs give equal pages.
+    a file of its own, so that equal runs give equal pages. `called` says what papers from
+    elsewhere than this checkout are called at the command line.
     """
     usable_folder(folder)
     files: Files = {}
     entries, made = [], {}
     for judgement in judgements:
         key = judgement.paper.key
-        entries.append(_paper_files(judgement, master_seed, files))
+        entries.append(_paper_files(judgement, master_seed, files, called.get(key, "")))
         made[key] = provenance_entry(judgement, environments.get(key, []))
     results = merged(entries, read_results(folder / "results.json"), known)
     files["results.json"] = results_text(results)
     kept = [entry["key"] for entry in results["papers"]]
     files[PROVENANCE] = results_text(merged_provenance(made, read_json(folder / PROVENANCE), kept))
-    files |= index_files(results, read_json(folder / ANOTHER_SEED)) | verdict_files()
+    files |= index_files(results, read_json(folder / ANOTHER_SEED), called) | verdict_files()
     for name, text in files.items():
         write_file(folder / name, text)
     return results
 
 
-def _paper_files(judgement: Judgement, master_seed: str, files: Files) -> Json:
+def _paper_files(judgement: Judgement, master_seed: str, files: Files, called: str) -> Json:
     paper = judgement.paper
     drawings = _drawings(judgement)
     entry = paper_result(judgement, master_seed)
@@ -104,6 +109,7 @@ def _paper_files(judgement: Judgement, master_seed: str, files: Files) -> Json:
     times = zip(judgement.certificates, judgement.found_times, strict=True)
     context = {
         "paper": paper,
+        "called": called,
         "entry": entry,
         "counts": verdict_counts(entry),
         "shown_counts": Counter(finding.verdict for finding in judgement.findings),
@@ -152,10 +158,15 @@ def verdict_files() -> Files:
     return {f"{VERDICTS}.{kind}": render(f"{VERDICTS}.{kind}", context) for kind in ("html", "md")}
 
 
-def index_files(results: Json, another_seed: Json | None = None) -> Files:
+def index_files(
+    results: Json,
+    another_seed: Json | None = None,
+    called: Mapping[str, str] = MappingProxyType({}),
+) -> Files:
     """Return the index pages and the table of verdicts alone.
 
-    `another_seed` is what `repro flips --json` said of these results and those of another seed.
+    `another_seed` is what `repro flips --json` said of these results and those of another seed;
+    `called` are the papers that are not of this checkout.
     """
     # controls first, as they say what the others' verdicts are worth
     papers = sorted(results["papers"], key=lambda paper: not paper["control"])
@@ -169,8 +180,19 @@ def index_files(results: Json, another_seed: Json | None = None) -> Files:
         "verdicts": [v for v in Verdict if v != Verdict.NOT_RUN or not_run],
         "search_rows": search_rows(papers),
         "another_seed": another_seed,
+        "again": _all_again(papers, called),
     }
     return {name: render(name, context) for name in ("index.html", "index.md", "verdicts.md")}
+
+
+def _all_again(papers: Sequence[Json], called: Mapping[str, str]) -> str:
+    """Return what to type to have all these pages again."""
+    repeats = str(max((1, *(paper["provenance"]["repeats"] for paper in papers))))
+    if all(paper["key"] in called for paper in papers):
+        given = ("repro", "reproduce", *dict.fromkeys(called.values()))
+    else:
+        given = ("nox", "-s", "reproduce", "--")
+    return shlex.join((*given, "--repeats", repeats))
 
 
 @cache
@@ -196,9 +218,10 @@ def _templates(*, markdown: bool) -> Environment:
         "comparison_rows": lambda c: [(problem, *texts) for problem, texts in c.rows],
         "cell": markdown_cell,
     }
-    environment.globals |= {"viewer": viewer, "again_command": again_command}
+    environment.globals |= {"viewer": viewer, "again_command": again_command, "command": command}
     environment.globals |= {"level": LEVEL, "tables_drawn": TABLES, "HOW": VERDICTS}
     environment.globals |= {"SYMBOLS": SYMBOLS, "MEANINGS": MEANINGS, "VERDICTS": tuple(Verdict)}
+    environment.globals |= {"NOT_REPRODUCIBLE": Verdict.NOT_REPRODUCIBLE}
     environment.globals |= {"RESULTS": RESULTS, "IMPOSSIBLE": IMPOSSIBLE}
     return environment
 

@@ -163,7 +163,13 @@ def markdown_cell(text: object) -> str:
     return plain.replace("|", "\\|").replace("<", "&lt;").replace("](", "]\\(")
 
 
-def again_command(paper: str, name: str, master_seed: str) -> str:
+def again_command(paper: str, called: str, name: str, master_seed: str) -> str:
     """Return what to type to see a number come out again, fit for a shell whatever the seed is."""
     seed = ("--master-seed", master_seed) if master_seed else ()
-    return shlex.join(("nox", "-s", "again", "--", paper, name, *seed))
+    return command("again", paper, called, name, *seed)
+
+
+def command(verb: str, paper: str, called: str, *more: str) -> str:
+    """Return what to type: with what a paper from elsewhere is `called`, else in a checkout."""
+    given = ("repro", verb, called) if called else ("nox", "-s", verb, "--", paper)
+    return shlex.join((*given, *more))

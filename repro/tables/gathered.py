@@ -21,15 +21,9 @@ from repro.tables.numbers import NoNumber, number_form, split_pair
 from repro.tables.published import Printed
 from repro.tables.relations import PlacedNumber
 
-OF_RUNS = frozenset(
-    ("best", "mean", "median", "worst", "std", "lowest", "highest", "variance", "sem", "q1", "q3")
-)
-BESIDE = frozenset(
-    (
-        *("rank", "average rank", "total rank", "wins", "ties", "losses", "p-value", "z", "h", "r"),
-        *("success rate", "time"),
-    )
-)
+OF_RUNS = frozenset("best mean median worst std lowest highest variance sem q1 q3".split())
+BESIDE = frozenset("rank wins ties losses p-value z h r time".split())
+BESIDE |= {"average rank", "total rank", "success rate"}
 VALUE = "value"  # the statistic of a number that no heading names one for
 _MOST_RANKS = 40
 _TALLY = re.compile(r"\(?\s*([0-9]{1,4})\s*[/|]\s*([0-9]{1,4})\s*[/|]\s*([0-9]{1,4})\s*\)?")

@@ -32,7 +32,7 @@ def test_what_new_writes_runs_as_it_stands(run: Run) -> None:
     assert run("reproduce", "./roe2030.py", "--repeats", "1")[0] == 0
     assert Path("reports/roe2030.html").exists()
     assert run("audit", "./roe2030.py")[:2] == (
-        0, "roe2030: nothing found; 1 tables of 4 numbers are declared\n",
+        0, "roe2030: nothing found; 1 table of 4 numbers is declared\n",
     )  # fmt: skip
     assert run("certify", "./roe2030.py")[:2] == (0, "roe2030: no motion, nothing to certify\n")
     code, out, _ = run("check", "./roe2030.py")

@@ -50,4 +50,4 @@ def test_a_slip_in_its_module_is_named_on_import(
     assert main(["list", joined]) == 2
 
     said = capsys.readouterr().err
-    assert "doe2021.py, line 27: Table 3, row 'WOA': '2.3.57' is not a number" in said
+    assert "doe2021.py, line 29: Table 3, row 'WOA': '2.3.57' is not a number" in said

@@ -160,7 +160,13 @@ def test_text_in_a_markdown_cell_opens_nothing(text: str) -> None:
 
 @pytest.mark.parametrize("seed", ["", "2", "two words", "'; rm -r ~"])
 def test_what_is_to_be_typed_names_the_master_seed_as_one_word(seed: str) -> None:
-    typed = again_command("doe2021", "table-2-f1-mean-woa", seed)
+    typed = again_command("doe2021", "", "table-2-f1-mean-woa", seed)
 
     words = ["nox", "-s", "again", "--", "doe2021", "table-2-f1-mean-woa"]
     assert shlex.split(typed) == words + (["--master-seed", seed] if seed else [])
+
+
+def test_a_paper_from_elsewhere_is_run_by_the_command_and_its_path() -> None:
+    typed = again_command("mine", "./my papers/mine.py", "table-1-f1-best-woa", "")
+
+    assert shlex.split(typed) == ["repro", "again", "./my papers/mine.py", "table-1-f1-best-woa"]

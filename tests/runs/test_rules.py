@@ -197,8 +197,10 @@ NEVER = Compiled(kernel=jit(_never))
 
 @pytest.mark.parametrize("algorithm", [DBO(), DE(), GA(), GSA(), SteadyStateGA(), WOA()], ids=repr)
 def test_compiled_search_without_a_finite_cost_fails_by_name(algorithm: Any) -> None:  # noqa: ANN401
-    result = searching(a=algorithm)
-    experiment = replace(result.experiments[0], problems={"p": NEVER}, population=24)
+    result = searching()
+    experiment = replace(
+        result.experiments[0], problems={"p": NEVER}, algorithms={"a": algorithm}, population=24
+    )
     for task in plan([replace(result, experiments=(experiment,))], 1):
         assert str(execute(task).reason).startswith(
             ("the best cost is nan at x", "the best cost is inf")
