@@ -21,8 +21,9 @@ from repro.tables.numbers import NoNumber, number_form, split_pair
 from repro.tables.published import Printed
 from repro.tables.relations import PlacedNumber
 
-OF_RUNS = frozenset("best mean median worst std lowest highest variance sem q1 q3".split())
-BESIDE = frozenset("rank wins ties losses p-value z h r time".split())
+OF_RUNS = frozenset(("best", "mean", "median", "worst", "std", "variance", "sem", "q1", "q3"))
+OF_RUNS |= {"lowest", "highest"}
+BESIDE = frozenset(("rank", "wins", "ties", "losses", "p-value", "z", "h", "r", "time"))
 BESIDE |= {"average rank", "total rank", "success rate"}
 VALUE = "value"  # the statistic of a number that no heading names one for
 _MOST_RANKS = 40
