@@ -295,7 +295,6 @@ def numbered(entries: Sequence[Entry]) -> Iterator[tuple[tuple[str, str, str, in
     times: defaultdict[tuple[str, ...], int] = defaultdict(int)
     for entry in entries:
         if entry.statistic in OF_RUNS:
-            key = (entry.problem, entry.algorithm, entry.quantity)
-            place = (*key, entry.statistic)
-            yield (*key, times[place]), entry
+            place = (entry.problem, entry.algorithm, entry.quantity, entry.statistic)
+            yield (*place[:3], times[place]), entry
             times[place] += 1
