@@ -115,7 +115,7 @@ def browser(session: nox.Session) -> None:
     """Look at the pages in Chromium: by mouse, by keyboard, without script, on a phone, printed."""
     _install(session, "browser")
     environment = {**TESTING, "REPRO_BROWSER": _chromium(session)}
-    session.run("pytest", "-m", "browser", *session.posargs, env=environment)
+    session.run("pytest", "-m", "browser", *SPREAD, *session.posargs, env=environment)
 
 
 @nox.session

@@ -6,6 +6,7 @@ files and folders that a command names.
 
 import difflib
 import importlib.metadata
+import importlib.util
 import os
 import sys
 from argparse import Namespace
@@ -73,6 +74,16 @@ def chosen_one(options: Namespace) -> Paper:
 def order(found: Iterable[Paper]) -> list[str]:
     """Return the keys of all papers that are known here, those that were found among them."""
     return list(dict.fromkeys([*all_papers(), *(paper.key for paper in found)]))
+
+
+def taken(key: str) -> str:
+    """Return what has a key already: a paper of this house, or a module; "" where nothing has."""
+    for folder in folders():
+        if (file := Path(folder) / f"{key}.py").exists():
+            return str(file)
+    spec = importlib.util.find_spec(key) if key not in sys.modules else sys.modules[key].__spec__
+    origin = spec.origin if spec else None
+    return "" if spec is None or origin == str(Path(f"{key}.py").resolve()) else f"module {key}"
 
 
 def is_path(argument: str) -> bool:

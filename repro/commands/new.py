@@ -6,6 +6,7 @@ from argparse import Namespace
 from importlib.resources import files
 from pathlib import Path
 
+from repro.commands import catalogue
 from repro.errors import InputError
 
 _STARTED = files("repro.commands") / "started"
@@ -17,6 +18,9 @@ def run(options: Namespace) -> int:
     key = options.key
     if not key.isidentifier() or keyword.iskeyword(key):
         message = f"the key {key!r} cannot name a module: give letters, digits and _, as in doe2024"
+        raise InputError(message)
+    if taken := catalogue.taken(key):
+        message = f"the key {key!r} is taken by {taken}: choose another"
         raise InputError(message)
     paths = [Path(f"{key}.{suffix}") for suffix in _SUFFIXES]
     for path in paths:

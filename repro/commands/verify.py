@@ -31,6 +31,9 @@ def run(options: Namespace) -> int:
         message = f"{len(found.damaged)} rows are damaged; `repro reproduce` sets them aside"
         raise StoreError(message)
     if not found.sample:
-        message = f"nothing was compared: no run in {folder} is one that this version would make"
+        message = (
+            f"nothing was compared: no run in {folder} is one that this version would make "
+            "(a paper from elsewhere is named by --paper ./mine.py)"
+        )
         raise InputError(message)
     return SOME_RUN_FAILED if found.count(Outcome.MISMATCH) else 0

@@ -1,11 +1,12 @@
 """The audit of tables that are read from anywhere: what is read, guessed and found."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from fractions import Fraction
 from functools import partial
 from typing import Any
 
+from repro.errors import InputError
 from repro.tables.arithmetic import IN_DOUBLES, NARROWEST, joined
 from repro.tables.audit_options import AuditOptions, Guess
 from repro.tables.blocks import Block, FunctionBounds
@@ -74,14 +75,35 @@ def audit_text(
 def audited(
     grids: Sequence[Grid], options: AuditOptions, *, file: str, context: str = ""
 ) -> list[AuditedTable]:
-    """Return the audit of tables; `context` is text that may tell the number of runs."""
-    found = []
+    """Return the audit of tables; `context` is text that may tell the number of runs.
+
+    InputError where something is told of a problem that no table has.
+    """
+    found: list[AuditedTable] = []
+    problems: dict[str, None] = {}
     for k, grid in enumerate(grids):
         label = _label(grid, k, len(grids))
         table = with_ranks(gathered(grid, label), file.rpartition("/")[2])
         if table.entries:
+            problems |= dict.fromkeys(entry.problem for entry in table.entries)
             found.append(audited_table(table, grid, options, file=file, context=context))
+    if found:
+        _refuse_unknown(options, problems, file)
     return found
+
+
+def _refuse_unknown(options: AuditOptions, problems: Iterable[str], file: str) -> None:
+    known = {_letters(name) for each in problems for name in _names_of(each)}
+    for name in (*options.functions, *options.minimum):
+        if _letters(name) not in known:
+            there = ", ".join(filter(None, problems)) or "none that is named"
+            message = f"{file}: no problem is called {name!r}; there is {there:.200}"
+            raise InputError(message)
+
+
+def _names_of(problem: str) -> tuple[str, ...]:
+    """Return what a problem may be called: its name, the first word of it, or nothing for all."""
+    return problem, problem.split(" ", maxsplit=1)[0], ""
 
 
 def _label(grid: Grid, k: int, tables: int) -> str:
@@ -167,7 +189,7 @@ def _block(
 def _bounds(problem: str, options: AuditOptions, *, maximised: bool) -> FunctionBounds | None:
     """Return what is told of the values of a problem."""
     for names in (options.functions, options.minimum):
-        for name in (problem, problem.split(" ", maxsplit=1)[0], ""):
+        for name in _names_of(problem):
             told = _named(names, name)
             if isinstance(told, FunctionBounds):
                 return told

@@ -50,6 +50,15 @@ def test_new_overwrites_nothing_and_takes_names_of_modules_alone(run: Run) -> No
     assert Path("roe2030.toml").read_text() == "mine"
 
 
+@pytest.mark.parametrize("key", ["syji", "numpy", "json"])
+def test_a_key_that_something_else_has_is_refused(run: Run, key: str) -> None:
+    code, _, err = run("new", key)
+
+    assert (code, err.count("\n")) == (2, 1)
+    assert f"the key {key!r} is taken by " in err
+    assert not list(Path().iterdir())
+
+
 def test_check_exits_with_1_on_what_no_paper_may_do(
     run: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:

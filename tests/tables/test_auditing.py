@@ -1,5 +1,8 @@
+from fractions import Fraction
+
 import pytest
 
+from repro.errors import InputError
 from repro.tables.arithmetic import IN_DOUBLES
 from repro.tables.audit_options import AuditOptions
 from repro.tables.auditing import NO_NEGATIVE, audit_text
@@ -31,6 +34,14 @@ def test_digits_that_are_told_settle_how_whole_numbers_are_rounded() -> None:
     ]
     assert four.rows == ()
     assert [row.is_proof for row in five.rows] == [True]
+
+
+def test_what_is_told_of_a_problem_that_no_table_has_is_refused() -> None:
+    known = AuditOptions(runs=30, minimum={"f1": Fraction(0)})
+    audit_text(FOUR_DIGITS, known)
+
+    with pytest.raises(InputError, match=r"^-: no problem is called 'F7'; there is F1$"):
+        audit_text(FOUR_DIGITS, AuditOptions(runs=30, minimum={"F7": Fraction(0)}))
 
 
 def test_numbers_with_more_digits_than_told_are_counted() -> None:
