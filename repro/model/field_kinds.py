@@ -1,7 +1,7 @@
 """Whether the fields of a declaration hold what their annotations say, a line a fault."""
 
 import types
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 from typing import Any, Literal, Union, get_args, get_origin, get_type_hints
 
@@ -30,7 +30,7 @@ def kind_faults(place: str, of: object) -> Iterator[str]:
     for name, hint in _hints(type(of)).items():  # type: ignore[arg-type]
         value = getattr(of, name)
         if name not in _SAID_ELSEWHERE and not _fits(value, hint):
-            yield f"{place}, {name}: {shown_value(value)} is no {_words(hint)}"
+            yield f"{place}, {name}: {shown_value(value)} is no {kind_words(hint)}"
             continue
         for k, part in enumerate(_parts(value), start=1):
             inside = f"{place}, {name}" if part is value else f"{place}, {name} {k}"
@@ -78,16 +78,20 @@ def _is_of(value: object, kind: type) -> bool:
     return isinstance(value, _NUMBERS.get(kind, (kind,)))
 
 
-def _words(hint: Any) -> str:  # noqa: ANN401
+def kind_words(hint: Any) -> str:  # noqa: ANN401 (a type, several, or an annotation)
+    """Return what is meant by a type, a tuple of types or an annotation."""
     if hint in {None, type(None)}:
         return "None"
-    inside = get_args(hint)
-    if get_origin(hint) in {Union, types.UnionType}:
-        return " or ".join(map(_words, inside))
-    if get_origin(hint) is Literal:
-        return " or ".join(map(repr, inside))
-    if inside and get_origin(hint) is tuple:
-        return f"tuple of {_words(inside[0])}"
-    if hint is str:
-        return "text"
-    return str(getattr(hint, "__name__", hint))
+    origin, inside = get_origin(hint), get_args(hint)
+    if isinstance(hint, tuple) or origin in {Union, types.UnionType}:
+        return _listed(kind_words(each) for each in (inside or hint))
+    if origin is Literal:
+        return _listed(map(repr, inside))
+    if inside and origin is tuple:
+        return f"tuple of {kind_words(inside[0])}"
+    return "text" if hint is str else str(getattr(hint, "__name__", hint))
+
+
+def _listed(words: Iterable[str]) -> str:
+    *first, last = words
+    return f"{', '.join(first)} or {last}" if first else last

@@ -11,7 +11,7 @@ from repro.model.assumptions import Assumption, alternative_faults
 from repro.model.claims import CellClaim, Claim, Sentence, left_open
 from repro.model.experiment import Experiment
 from repro.model.faults import claim_faults, experiment_faults, text_faults
-from repro.model.field_kinds import kind_faults
+from repro.model.field_kinds import kind_faults, kind_words
 from repro.model.figure_faults import FIGURES, RELATIONS, figure_faults, relation_faults
 from repro.model.figures import Figure
 from repro.model.known_words import shown_value
@@ -124,7 +124,7 @@ class Paper:
         for name, kind in kinds.items():
             for k, each in enumerate(getattr(self, name), start=1):
                 if not isinstance(each, kind):
-                    yield f"{self.key}, {name} {k}: {shown_value(each)} is no {_words(kind)}"
+                    yield f"{self.key}, {name} {k}: {shown_value(each)} is no {kind_words(kind)}"
                 elif name in _LOOKED_INTO:
                     yield from kind_faults(f"{self.key}, {_place(name, k, each)}", each)
         if not isinstance(self.source, Source):
@@ -237,9 +237,3 @@ def _place(name: str, k: int, each: object) -> str:
     titles = (getattr(each, field, None) for field in ("name", "claim", "what", "row"))
     title = next((title for title in titles if isinstance(title, str)), "")
     return f"{name} {k}{f' ({title!r:.60})' if title else ''}"
-
-
-def _words(kind: type | tuple[type, ...]) -> str:
-    kinds = kind if isinstance(kind, tuple) else (kind,)
-    *first, last = [each.__name__ for each in kinds]
-    return f"{', '.join(first)} or {last}" if first else last

@@ -8,6 +8,7 @@ from typing import Any, Literal
 from repro.functions import BenchmarkProblem
 from repro.model.known_words import known_words, shown_value
 from repro.tables.audit_options import option_faults
+from repro.tables.auditing import names_of
 from repro.tables.published import PublishedTable
 from repro.tables.read_published import read_published
 
@@ -73,7 +74,7 @@ def alone_faults(alone: TableAlone) -> Iterator[str]:
         yield f"{label}: it has no numbers to audit"
         return
     problems = dict.fromkeys(entry.problem or entry.algorithm for entry in entries)
-    known = {*problems, *(name.split(" ", maxsplit=1)[0] for name in problems), ""}
+    known = {name for problem in problems for name in names_of(problem)}
     if not isinstance(alone.function, Mapping):
         yield f"{label}, function is {shown_value(alone.function)}; give one by problem"
         return

@@ -188,7 +188,7 @@ def index_files(
 def _all_again(papers: Sequence[Json], called: Mapping[str, str]) -> str:
     """Return what to type to have all these pages again."""
     repeats = str(max((1, *(paper["provenance"]["repeats"] for paper in papers))))
-    if all(paper["key"] in called for paper in papers):
+    if called and all(paper["key"] in called for paper in papers):
         given = ("repro", "reproduce", *dict.fromkeys(called.values()))
     else:
         given = ("nox", "-s", "reproduce", "--")

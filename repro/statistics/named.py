@@ -77,11 +77,6 @@ def is_count(word: str) -> bool:
     return _SUCCESS.fullmatch(word) is not None
 
 
-def needs_two_runs(word: str) -> bool:
-    """Say whether a single run has no such statistic."""
-    return word in ("std", "variance", "standard error")
-
-
 def is_of_extremes(word: str, runs: int) -> bool:
     """Say whether, of so many runs, the statistic hangs on the least or the greatest one."""
     if word in ("best", "worst"):

@@ -9,7 +9,7 @@ from typing import Any
 from repro.errors import InputError
 from repro.tables.arithmetic import IN_DOUBLES, NARROWEST, joined
 from repro.tables.audit_options import AuditOptions, Guess
-from repro.tables.blocks import Block, FunctionBounds
+from repro.tables.blocks import Block, FunctionBounds, known_minimum
 from repro.tables.checks import block_rows, fact_rows
 from repro.tables.facts import Decision, Fact
 from repro.tables.gathered import Entry, Gathered, Skipped, gathered, numbered
@@ -93,7 +93,7 @@ def audited(
 
 
 def _refuse_unknown(options: AuditOptions, problems: Iterable[str], file: str) -> None:
-    known = {_letters(name) for each in problems for name in _names_of(each)}
+    known = {_letters(name) for each in problems for name in names_of(each)}
     for name in (*options.functions, *options.minimum):
         if _letters(name) not in known:
             there = ", ".join(filter(None, problems)) or "none that is named"
@@ -101,7 +101,7 @@ def _refuse_unknown(options: AuditOptions, problems: Iterable[str], file: str) -
             raise InputError(message)
 
 
-def _names_of(problem: str) -> tuple[str, ...]:
+def names_of(problem: str) -> tuple[str, ...]:
     """Return what a problem may be called: its name, the first word of it, or nothing for all."""
     return problem, problem.split(" ", maxsplit=1)[0], ""
 
@@ -189,13 +189,13 @@ def _block(
 def _bounds(problem: str, options: AuditOptions, *, maximised: bool) -> FunctionBounds | None:
     """Return what is told of the values of a problem."""
     for names in (options.functions, options.minimum):
-        for name in _names_of(problem):
+        for name in names_of(problem):
             told = _named(names, name)
             if isinstance(told, FunctionBounds):
                 return told
             if isinstance(told, Fraction):
-                return _floor(told, f"{name or 'the problem'}, as told,")
-    return _floor(Fraction(0), "an error") if options.errors and not maximised else None
+                return known_minimum(f"{name or 'the problem'}, as told,", told)
+    return known_minimum("an error", Fraction(0)) if options.errors and not maximised else None
 
 
 def _named(names: Mapping[str, Any], name: str) -> Any:  # noqa: ANN401 (a bound or a number)
@@ -204,16 +204,6 @@ def _named(names: Mapping[str, Any], name: str) -> Any:  # noqa: ANN401 (a bound
 
 def _letters(name: str) -> str:
     return "".join(filter(str.isalnum, name.lower()))
-
-
-def _floor(minimum: Fraction, title: str) -> FunctionBounds:
-    return FunctionBounds(
-        title=title,
-        minimum=minimum,
-        floor=minimum - abs(minimum) / 2**40,
-        floor_in_singles=minimum - abs(minimum) / 2**12,
-        fixed=(float(minimum),),
-    )
 
 
 def _checked(blocks: Sequence[Block], facts: Sequence[Fact]) -> int:
@@ -249,7 +239,7 @@ def _if_errors(
     file: str, blocks: Sequence[Block], runs: int | None, found: Sequence[AuditRow]
 ) -> Iterator[AuditRow]:
     """Yield what blocks say only if none of their values is below 0, beside what is `found`."""
-    floor = _floor(Fraction(0), "an error")
+    floor = known_minimum("an error", Fraction(0))
     known = [(row.check, row.cells) for row in found]
     for block in blocks:
         best = block.span("best")

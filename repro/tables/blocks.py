@@ -40,10 +40,14 @@ _ENDS = {"best": "worst", "worst": "best"}
 def known_minimum(title: str, minimum: Fraction) -> FunctionBounds:
     """Return the bounds of values of which no more is known than that none lies below `minimum`.
 
-    `title` names them in a sentence, such as "an error".
+    `title` names them in a sentence, such as "an error". Runs may be below by some roundings.
     """
     return FunctionBounds(
-        title=title, minimum=minimum, floor=minimum, floor_in_singles=minimum, fixed=(minimum,)
+        title=title,
+        minimum=minimum,
+        floor=minimum - abs(minimum) / 2**40,
+        floor_in_singles=minimum - abs(minimum) / 2**12,
+        fixed=(float(minimum),),
     )
 
 

@@ -11,26 +11,12 @@ from repro.tables.facts import Decision, Fact, RankedRows, Success, WinsAndLosse
 from repro.tables.order import order_rows
 from repro.tables.quantiles import quantile_rows
 from repro.tables.rankings import ranking_rows
-from repro.tables.repeats import repeat_rows
 from repro.tables.rows import AuditRow
 from repro.tables.senses import with_senses
 from repro.tables.spread import spread_rows
 from repro.tables.wholes import whole_rows
 
 _OF_A_BLOCK = (order_rows, spread_rows, quantile_rows, whole_rows, double_rows)
-
-
-def table_rows(
-    paper: str, blocks: Sequence[Block], facts: Sequence[Fact] = ()
-) -> Iterator[AuditRow]:
-    """Yield every row that the blocks and facts of one or more tables give.
-
-    The rows of blocks come first, then those of facts, then numbers that recur across blocks.
-    """
-    yield from rows_of_blocks(paper, blocks)
-    for fact in facts:
-        yield from fact_rows(paper, fact)
-    yield from repeat_rows(paper, blocks)
 
 
 def rows_of_blocks(paper: str, blocks: Sequence[Block]) -> Iterator[AuditRow]:

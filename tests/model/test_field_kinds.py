@@ -32,7 +32,7 @@ def with_parts(**parts: object) -> Paper:
         ({"claims": sentence(counts="yes")}, "counts: 'yes' is no bool"),
         (
             {"relations": Less(printed=HALF.printed, before=HALF, after=HALF)},  # type: ignore[arg-type]
-            "relations 1, printed: Printed(text='50', unit='%') is no TableCell or PlacedNumber",
+            "relations 1, printed: Printed(text='50', unit='%') is no TableCell, PlacedNumber or",
         ),
         (
             {"relations": Equal(numbers=(HALF, replace(HALF, printed="50 %")))},  # type: ignore[arg-type]

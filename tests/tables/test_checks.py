@@ -7,7 +7,7 @@ import pytest
 
 from repro.tables.arithmetic import IN_DOUBLES
 from repro.tables.blocks import Block, FunctionBounds, known_minimum
-from repro.tables.checks import fact_rows, table_rows
+from repro.tables.checks import fact_rows, rows_of_blocks
 from repro.tables.facts import Decision, RankedRows, Success, WinsAndLosses
 from repro.tables.order import ONE_DEFINITION
 from repro.tables.printed import Printed
@@ -43,8 +43,8 @@ def block_of(
 
 
 def found(*blocks: Block) -> list[tuple[str, str]]:
-    rows = table_rows("doe", blocks)
-    return [(row.check, row.grade.value) for row in rows if not row.check.startswith("repeat")]
+    rows = rows_of_blocks("doe", blocks)
+    return [(row.check, row.grade.value) for row in rows]
 
 
 def told(fact: WinsAndLosses | Success | Decision | RankedRows) -> list[AuditRow]:
@@ -131,7 +131,7 @@ def test_a_variance_and_a_standard_error_say_a_standard_deviation() -> None:
 
 def test_nearly_equal_runs_may_have_any_spread_that_single_precision_gives() -> None:
     cells = {"best": "1000.00", "worst": "1001.00", "std": "0.00"}
-    (row,) = table_rows("doe", [block_of(cells)])
+    (row,) = rows_of_blocks("doe", [block_of(cells)])
     assert (row.grade, row.is_proof) == (Grade.IMPOSSIBLE, False)
 
 
@@ -224,7 +224,7 @@ def test_quartiles_and_median_of_two_definitions_cross_only_where_few_runs_let_t
     n: int, condition: str | None
 ) -> None:
     block = block_of({"median": "6.67e-08", "q3": "8.07e-10"}, n=n)  # the upper and the lower run
-    rows = list(table_rows("doe", [block]))
+    rows = list(rows_of_blocks("doe", [block]))
 
     assert [(row.check, row.condition) for row in rows] == [("order", condition)]
 
@@ -239,6 +239,6 @@ def test_quartiles_and_median_of_two_definitions_cross_only_where_few_runs_let_t
 def test_a_variance_of_floats_below_their_normal_range_is_a_coarse_one(
     cells: dict[str, str], n: int
 ) -> None:
-    rows = list(table_rows("doe", [block_of({"best": "0.00e+00"} | cells, n=n)]))
+    rows = list(rows_of_blocks("doe", [block_of({"best": "0.00e+00"} | cells, n=n)]))
 
     assert [(row.check, row.condition) for row in rows] == [("std-bound", IN_DOUBLES)]
