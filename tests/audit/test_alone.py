@@ -187,5 +187,6 @@ def test_what_was_read_and_guessed_is_printed_and_stands_on_the_page(
         assert read in text
         assert "guess: minimisation (maximise)" in text
         assert "6.53 times the bound" in text
+        assert "prints no table" not in text
     results = json.loads((tmp_path / "reports" / "results.json").read_text(encoding="utf-8"))
     assert [row["check"] for row in results["papers"][0]["audit"]] == ["std-bound"]
