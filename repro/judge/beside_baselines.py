@@ -14,7 +14,7 @@ from repro.model.evidence import Cell, Runs
 from repro.model.experiment import Experiment
 from repro.model.paper import Paper
 from repro.optimisers.libraries import BASELINES
-from repro.runs.baseline_study import BASELINE_STUDY
+from repro.runs.baseline_study import STUDY_OF
 from repro.runs.equal_budget import EQUAL_BUDGET, unequal
 from repro.runs.studies import study_name
 from repro.statistics.summary import mean
@@ -124,16 +124,14 @@ def experiment_standings(
 def _places(
     experiment: Experiment, problem: str, yours: Sequence[str]
 ) -> Iterable[tuple[str, StandingKind, Cell]]:
-    equal, baseline = (
-        study_name(experiment.name, departs) for departs in (EQUAL_BUDGET, BASELINE_STUDY)
-    )
+    equal = study_name(experiment.name, EQUAL_BUDGET)
     for name in yours:
         yield name, "yours", (experiment.name, problem, name)
     for name in experiment.algorithms:
         yield name, "printed protocol", (experiment.name, problem, name)
         yield name, "equal evaluations", (equal, problem, name)
     for name in BASELINES:
-        yield name, "baseline", (baseline, problem, name)
+        yield name, "baseline", (study_name(experiment.name, STUDY_OF[name]), problem, name)
 
 
 def _standing(name: str, kind: StandingKind, runs: Runs, minimum: KnownMinimum | None) -> Standing:

@@ -10,7 +10,7 @@ from typing import Literal
 from repro.model.experiment import Experiment
 from repro.model.paper import Paper
 from repro.optimisers.random_search import RandomSearch
-from repro.runs.baseline_study import BASELINE_STUDY, with_baselines
+from repro.runs.baseline_study import with_baselines
 from repro.runs.equal_budget import EQUAL_BUDGET, at_equal_evaluations
 from repro.runs.moved_optima import IN_PLACE, SHARES, centred, shift_name, shifted
 from repro.runs.readings import changed_part, readings
@@ -105,7 +105,11 @@ def _fair(paper: Paper) -> tuple[Study, ...]:
     equal = [(e, at_equal_evaluations(e)) for e in paper.experiments]
     return (
         *(_departing(e, "equal budget", EQUAL_BUDGET, again) for e, again in equal if again),
-        *(_departing(e, "baseline", BASELINE_STUDY, with_baselines(e)) for e in paper.experiments),
+        *(
+            _departing(e, "baseline", study, beside)
+            for e in paper.experiments
+            for study, beside in with_baselines(e).items()
+        ),
     )
 
 

@@ -22,7 +22,7 @@ EXPERIMENT = Experiment(
     iterations=20,
     runs=3,
 )
-EQUAL, BASELINES = "search [equal budget]", "search [baselines]"
+EQUAL, BASELINES = "search [equal budget]", "search [compiled baselines]"
 
 
 def runs(costs: Sequence[float], evaluations: int = 200) -> Runs:

@@ -103,12 +103,13 @@ def test_baselines_and_equal_budgets_wait_for_ten_repeats() -> None:
     assert {study.repeats for study in fair(20).values()} == {1}
 
 
-def test_every_baseline_runs_a_few_times_on_every_problem() -> None:
-    study = fair(10)["baselines"].experiment
+def test_every_baseline_runs_on_every_problem_and_a_compiled_one_as_often_as_the_protocol() -> None:
+    few, compiled = (fair(10)[name].experiment for name in ("baselines", "compiled baselines"))
 
-    assert (study.name, study.runs) == ("search [baselines]", BASELINE_RUNS)
-    assert study.algorithms == BASELINES
-    assert study.problems == PROTOCOL.problems
+    assert (few.name, few.runs) == ("search [baselines]", min(BASELINE_RUNS, PROTOCOL.runs))
+    assert (list(compiled.algorithms), compiled.runs) == (["random search"], PROTOCOL.runs)
+    assert {**few.algorithms, **compiled.algorithms} == BASELINES
+    assert few.problems == compiled.problems == PROTOCOL.problems
 
 
 def test_algorithms_of_another_budget_run_as_often_as_in_the_protocol() -> None:
