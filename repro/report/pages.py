@@ -40,6 +40,7 @@ from repro.report.verdict_pages import VERDICTS, verdict_context
 from repro.report.views.baselines import standings_view
 from repro.report.views.calibration import truthful
 from repro.report.views.findings import Shown, everything, table_view, tallies
+from repro.report.views.heat_map import heat_map
 from repro.report.views.readings import readings_view, ruled_out_by, settings_of
 from repro.report.views.runs import runs_view
 from repro.report.views.search_box import search_rows
@@ -106,6 +107,7 @@ def _paper_files(judgement: Judgement, master_seed: str, files: Files, called: s
     runs = runs_view(judgement)
     found = everything(judgement.findings, judgement.audit, settings_of(paper), ruled_out_by(paper))
     cells = {(s.finding.table, s.finding.row, s.finding.column): s for s in found}
+    results = [table_view(table, cells) for table in paper.results]
     times = zip(judgement.certificates, judgement.found_times, strict=True)
     context = {
         "paper": paper,
@@ -116,7 +118,8 @@ def _paper_files(judgement: Judgement, master_seed: str, files: Files, called: s
         "truthful": truthful(judgement, calibrated),
         "not_calibrated": not calibrated,
         "tallies": tallies(found),
-        "results": [table_view(table, cells) for table in paper.results],
+        "results": results,
+        "maps": [heat_map(table) for table in results if table.judged],
         "inputs": [table_view(table, {}) for table in paper.tables if table not in paper.results],
         "sentences": [s for s in found if s.finding.claim],
         "everything": found,

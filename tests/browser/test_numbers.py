@@ -256,3 +256,27 @@ def test_hostile_names_claims_and_titles_stay_text(visit: Open, page: str) -> No
     assert one.page.locator("img").count() == 0
     assert one.page.title() not in {"1", "2"}
     assert '<img src=x onerror="document.title=1">' in one.page.locator("main").inner_text()
+
+
+def test_arrow_keys_move_on_the_map_and_enter_opens_the_evidence(visit: Open) -> None:
+    page = visit(PAGE).page
+    squares = page.locator("table.heat").first.locator("a")
+    first = squares.first
+
+    first.focus()
+    page.keyboard.press("ArrowRight")
+    page.keyboard.press("ArrowDown")
+    below = page.evaluate("document.activeElement.getAttribute('href')")
+    page.keyboard.press("Enter")
+    page.locator(SHOWN).wait_for(state="visible")
+
+    assert below not in (None, first.get_attribute("href"))
+    assert page.url.endswith(below)
+
+
+def test_a_map_is_one_tab_stop(visit: Open) -> None:
+    page = visit(PAGE).page
+
+    for heat in page.locator("table.heat").all():
+        stops = heat.locator("a").evaluate_all("all => all.filter(a => a.tabIndex === 0).length")
+        assert stops == 1
