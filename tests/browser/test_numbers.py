@@ -125,7 +125,7 @@ def test_a_link_to_a_cell_shows_it_marked_and_with_its_evidence(visit: Open) -> 
 def test_the_filter_leaves_only_the_verdicts_that_are_ticked(visit: Open) -> None:
     page = visit(PAGE).page
 
-    page.get_by_label(re.compile(r"✖ contradicted \(\d+\)")).uncheck()
+    page.get_by_role("checkbox", name=re.compile(r"✖ contradicted \(\d+\)")).uncheck()
 
     left = page.locator("[data-verdict]:visible .printed:visible").count()
     assert left == page.locator('td.cell:not([data-verdict="contradicted"])').count() == 2
@@ -135,7 +135,7 @@ def test_the_filter_leaves_only_the_verdicts_that_are_ticked(visit: Open) -> Non
 
 def test_the_filter_works_by_keyboard_and_show_all_takes_it_back(visit: Open) -> None:
     page = visit(PAGE).page
-    box = page.get_by_label(re.compile("≈ consistent"))
+    box = page.get_by_role("checkbox", name=re.compile("≈ consistent"))
     box.focus()
 
     page.keyboard.press("Space")
