@@ -1,16 +1,15 @@
 """What is not told of a table: the number of runs, the sense, what the spread is."""
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
-from fractions import Fraction
+from collections.abc import Iterator, Sequence
 
-from repro.tables.arithmetic import Arithmetic, is_less
 from repro.tables.audit_options import SPREADS, AuditOptions, Guess
-from repro.tables.gathered import VALUE, Entry, Gathered
+from repro.tables.gathered import VALUE, Gathered
 from repro.tables.headings import heads_runs, runs_in, sizes_in
+from repro.tables.read_blocks import ReadBlock
 
 LEAST_RUNS = 2
-MANY_RUNS = 1000
+_NAMED = 6  # problems of which a line says the sense
 OF_VALUES = ("best", "mean", "median", "worst", "lowest", "highest", "q1", "q3")
 _ERROR = re.compile(r"(?<!standard )(?<!std )(?<!std\. )\berrors?\b", re.IGNORECASE)
 
@@ -45,34 +44,8 @@ def _in_a_column(table: Gathered) -> Iterator[tuple[int, str]]:
             yield int(printed.value), entry.number.column
 
 
-def is_maximised(blocks: Sequence[Mapping[str, Entry]], runs: int | None = None) -> bool:
-    """Say whether, wherever a best stands with a worst, median or mean, it is never the lower one.
-
-    Numbers that are equal but for their rounding do not tell; nor does a mean within what the
-    summing of so many runs may lose.
-    """
-    summing = 2 * ((runs or MANY_RUNS) + 2) * Arithmetic().roundoff
-    senses = [_greater_best(block, summing) for block in blocks]
-    return any(senses) and min(senses) >= 0
-
-
-def _greater_best(block: Mapping[str, Entry], summing: Fraction) -> int:
-    """Return 1 where a best is the greater number, -1 where the lower, 0 where nothing tells."""
-    if "best" not in block:
-        return 0
-    best = block["best"].number.printed
-    for name, share in (("worst", Fraction(0)), ("median", Fraction(0)), ("mean", summing)):
-        if name in block:
-            other = block[name].number.printed
-            if is_less(other, best, share=share):
-                return 1
-            if is_less(best, other, share=share):
-                return -1
-    return 0
-
-
-def guess_lines(table: Gathered, options: AuditOptions, *, maximised: bool) -> Iterator[Guess]:
-    """Yield what is taken for granted, but for the number of runs."""
+def guess_lines(table: Gathered, options: AuditOptions) -> Iterator[Guess]:
+    """Yield what is taken for granted of what the numbers are."""
     for note in table.notes:
         yield Guess(says=note)
     renamed = [f'"{word}" is {name}' for word, name in table.words.items()]
@@ -85,7 +58,10 @@ def guess_lines(table: Gathered, options: AuditOptions, *, maximised: bool) -> I
         yield Guess(says=f"no heading names a statistic for {values} numbers: they are not checked")
     if options.significant is not None:
         yield Guess(says=_rounded(table, options.significant), option="significant")
-    yield _sense(options, maximised=maximised)
+
+
+def spread_lines(table: Gathered, options: AuditOptions) -> Iterator[Guess]:
+    """Yield what a spread is taken for, where there is one and nothing is told."""
     if any(entry.statistic == "std" for entry in table.entries) and options.spread is None:
         yield Guess(
             says="the spread is a standard deviation", option="spread", value="std", choices=SPREADS
@@ -115,15 +91,27 @@ def _rounded(table: Gathered, digits: int) -> str:
     return f"whole numbers may be rounded to {digits} digits, as told{beyond}"
 
 
-def _sense(options: AuditOptions, *, maximised: bool) -> Guess:
+def sense_lines(found: Sequence[ReadBlock], options: AuditOptions) -> Iterator[Guess]:
+    """Yield which end of the runs is taken for the best one, and of which problems."""
     if options.maximise is not None:
         sense = "maximisation" if options.maximise else "minimisation"
-        return Guess(says=f"{sense} as told", option="maximise")
-    if maximised:
-        return Guess(
-            says="maximisation? wherever a best stands it is the greater value; --minimise says no",
-            option="maximise",
-            value="yes",
-            choices=("yes", "no"),
+        yield Guess(says=f"{sense} as told", option="maximise")
+        return
+    greatest = [each.block for each in found if each.block.maximise]
+    says = "minimisation"
+    if greatest:
+        says = "maximisation? wherever a best stands it is the greater value; --minimise says no"
+    if 0 < len(greatest) < len(found):
+        others = {each.block.problem_name for each in found if not each.block.maximise}
+        names = dict.fromkeys(
+            f"{block.algorithm} of {block.problem_name}"
+            if block.problem_name in others
+            else block.problem_name
+            for block in greatest
         )
-    return Guess(says="minimisation", option="maximise", value="no", choices=("yes", "no"))
+        of = f"{', '.join(list(names)[:_NAMED])}{', …' * (len(names) > _NAMED)}"
+        says = f"maximisation of {of}? there the best is the greater value; minimisation elsewhere"
+    elif any(each.other for each in found):
+        says = "minimisation, though no best is surely the lower value"
+    value = "yes" if len(greatest) == len(found) > 0 else "no"
+    yield Guess(says=says, option="maximise", value=value, choices=("yes", "no"))

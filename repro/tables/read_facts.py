@@ -7,14 +7,15 @@ from fractions import Fraction
 
 from repro.tables.arithmetic import joined
 from repro.tables.audit_options import AuditOptions
-from repro.tables.blocks import Block
 from repro.tables.facts import Decision, Fact, Success, WinsAndLosses
 from repro.tables.gathered import OF_RUNS, VALUE, Entry, Gathered
 from repro.tables.levels import Level
 from repro.tables.numbers import NumberForm, number_form
+from repro.tables.read_blocks import ReadBlock
 from repro.tables.read_ranks import rankings_of
 from repro.tables.read_tests import decisions_of
 from repro.tables.relations import Cell
+from repro.tables.senses import LEAST_IS_BEST
 from repro.tables.true_numbers import exact
 
 TALLY = ("wins", "ties", "losses")
@@ -32,7 +33,7 @@ _THRESHOLD = re.compile(
     r"([0-9][0-9.]*(?:\s?[eE]\s?[-+−]?[0-9]+|\s?[×x·]\s?10\s?\^?\s?[-+−]?[0-9]+|\^[-−]?[0-9]+)?)",
     re.IGNORECASE,
 )
-Blocks = Mapping[tuple[str, str], Block]  # by problem and algorithm
+Blocks = Mapping[tuple[str, str], ReadBlock]  # by problem and algorithm
 
 
 def facts_of(
@@ -42,7 +43,6 @@ def facts_of(
     *,
     runs: int | None,
     level: Level,
-    maximised: bool,
 ) -> tuple[Fact, ...]:
     """Return the tallies, rankings, tests and success rates that a table prints."""
     by_statistic: dict[str, list[Entry]] = defaultdict(list)
@@ -50,7 +50,7 @@ def facts_of(
         by_statistic[entry.statistic].append(entry)
     return (
         *_tallies(table, by_statistic),
-        *rankings_of(table, options, maximised=maximised),
+        *rankings_of(table, options),
         *decisions_of(by_statistic, options, level, runs),
         *_successes(table, by_statistic["success rate"], blocks, runs, errors=options.errors),
     )
@@ -127,11 +127,14 @@ def _successes(
         needs = [f"the number of runs is at most {_NO_OTHER}"] if runs is None else []
         if not errors and not _ERRORS.search(text) and threshold is not None:
             needs.append("success is told by the values that are printed")
+        own = blocks.get((entry.problem or entry.algorithm, entry.algorithm))
+        if own and own.other and threshold is not None:
+            needs.append(LEAST_IS_BEST)
         yield Success(
             rate=entry.number,
             runs=runs or _NO_OTHER,
             threshold=threshold,
-            block=blocks.get((entry.problem or entry.algorithm, entry.algorithm)),
+            block=own.block if own else None,
             is_told=runs is not None,
             condition=joined(needs),
         )

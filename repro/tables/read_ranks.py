@@ -57,7 +57,7 @@ def _as_rank(entry: Entry) -> Entry:
     return replace(entry, statistic=names.get(entry.statistic, entry.statistic))
 
 
-def rankings_of(table: Gathered, options: AuditOptions, *, maximised: bool) -> Iterator[RankedRows]:
+def rankings_of(table: Gathered, options: AuditOptions) -> Iterator[RankedRows]:
     """Yield the ranks of each quantity in the reading that contradicts least.
 
     What rows are ranked by, in which sense, and whether a line over all of them holds sums, means
@@ -76,7 +76,7 @@ def rankings_of(table: Gathered, options: AuditOptions, *, maximised: bool) -> I
         names = set(next(iter(printed.ranks.values()), {}))
         if len(names) < 2 or any(set(row) != names for row in printed.ranks.values()):
             continue
-        senses = (maximised,) if options.maximise is not None else (False, True)
+        senses = (False, True) if options.maximise is None else (options.maximise,)
         readings = [
             RankedRows(
                 values=values,

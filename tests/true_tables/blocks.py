@@ -98,12 +98,12 @@ def drawn_setting(rng: Generator, domain: str) -> Setting:
 def _told(rng: Generator, setting: Setting) -> Setting:
     """Return the setting with what is told of it, by options or in the title."""
     options: dict[str, Any] = {}
-    title, pipeline, names = setting.title, setting.pipeline, set(setting.names)
+    title, pipeline = setting.title, setting.pipeline
     if rng.random() < 0.5:
         options["runs"], title = setting.n, "Results"
     elif rng.random() < 2 * NOT_TOLD:
         title = "Results"
-    if pipeline.maximise and (rng.random() < 0.5 or not names >= {"best", "worst", "mean"}):
+    if pipeline.maximise and rng.random() < 0.5:
         options["maximise"] = True
     if setting.domain == "errors":
         if rng.random() < 0.5:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from repro.tables.arithmetic import CONDITIONS
 from repro.tables.order import ONE_DEFINITION
+from repro.tables.senses import LEAST_IS_BEST
 from tests.true_tables.samples import Generator, Vector
 
 PRECISIONS = ("single", "double", "runs in single")
@@ -55,7 +56,8 @@ class Pipeline:
             found.append("two_pass")
         if self.prints in {"four digits of R", "significant"}:
             found.append("whole")
-        return frozenset((*(CONDITIONS[name] for name in found), ONE_DEFINITION))
+        sense = (LEAST_IS_BEST,) if self.maximise else ()
+        return frozenset((*(CONDITIONS[name] for name in found), *sense, ONE_DEFINITION))
 
     @property
     def words(self) -> str:
