@@ -70,12 +70,12 @@ def _shape(printed: Printed, significant: int | None) -> tuple[object, ...]:
     return ("whole", len(whole) - kept) if kept else (object(),)
 
 
-def _in_order(numbers: Numbers) -> Iterator[tuple[str, str]]:
-    """Yield the pairs of statistics of which the first is no worse than the second."""
+def _in_order(numbers: Numbers) -> list[tuple[str, str]]:
+    """Return the pairs of statistics of which the first is no worse than the second."""
     inner = [name for name in numbers if name == "mean" or quantile_share(name) is not None]
     groups = [[name for name in names if name in numbers] for names in (["best"], inner, ["worst"])]
-    for better, worse in combinations(groups, 2):
-        yield from product(better, worse)
+    pairs = [pair for two in combinations(groups, 2) for pair in product(*two)]
+    return sorted(pairs, key=lambda pair: "mean" in pair)  # which tell the least go last
 
 
 def guessed_senses(
