@@ -4,13 +4,14 @@ import re
 from collections.abc import Iterator, Sequence
 
 from repro.tables.audit_options import SPREADS, AuditOptions, Guess
-from repro.tables.gathered import VALUE, Gathered
+from repro.tables.gathered import VALUE, Entry, Gathered
 from repro.tables.headings import heads_runs, runs_in, sizes_in
+from repro.tables.named_cells import is_of_runs
 from repro.tables.read_blocks import ReadBlock
+from repro.tables.statistic_words import is_width
 
 LEAST_RUNS = 2
 _NAMED = 6  # problems of which a line says the sense
-OF_VALUES = ("best", "mean", "median", "worst", "lowest", "highest", "q1", "q3")
 _ERROR = re.compile(r"(?<!standard )(?<!std )(?<!std\. )\berrors?\b", re.IGNORECASE)
 
 
@@ -22,7 +23,7 @@ def guessed_runs(
         return options.runs, Guess(says=f"n = {options.runs} as told", option="runs")
     for found, place in (
         (runs_in(table.text), "the caption"),
-        (_in_a_column(table), "a column"),
+        (_counted(table), "a column"),
         (sizes_in(table.text), "the caption"),
         (runs_in(context), "the text of the file"),
     ):
@@ -36,12 +37,17 @@ def guessed_runs(
     return None, Guess(says="n is not told", option="runs")
 
 
-def _in_a_column(table: Gathered) -> Iterator[tuple[int, str]]:
-    """Yield what a column of numbers of runs says."""
+def _counted(table: Gathered) -> Iterator[tuple[int, str]]:
+    """Yield what a column, or a line, of numbers of runs says."""
     for entry in table.entries:
-        printed = entry.number.printed
-        if heads_runs(entry.number.column) and printed.value == int(printed.value):
-            yield int(printed.value), entry.number.column
+        heading, value = _heading_of_runs(entry), entry.number.printed.value
+        if heading and value.is_integer():
+            yield int(value), heading
+
+
+def _heading_of_runs(entry: Entry) -> str:
+    number = entry.number
+    return next((name for name in (number.column, number.row) if heads_runs(name)), "")
 
 
 def guess_lines(table: Gathered, options: AuditOptions) -> Iterator[Guess]:
@@ -52,8 +58,10 @@ def guess_lines(table: Gathered, options: AuditOptions) -> Iterator[Guess]:
     if renamed:
         yield Guess(says=f"headings: {', '.join(renamed[:12])}{', …' * (len(renamed) > 12)}")
     if table.pairs[0]:
-        yield Guess(says=f"of two numbers in one cell the second is the {table.pairs[1]}")
-    values = sum(entry.statistic == VALUE for entry in table.entries)
+        first = "" if table.pairs[0] == "mean" else f"first is the {table.pairs[0]}, the "
+        yield Guess(says=f"of two numbers in one cell the {first}second is the {table.pairs[1]}")
+    unnamed = [entry for entry in table.entries if entry.statistic == VALUE]
+    values = sum(not _heading_of_runs(entry) for entry in unnamed)
     if values:
         yield Guess(says=f"no heading names a statistic for {values} numbers: they are not checked")
     if options.significant is not None:
@@ -72,8 +80,9 @@ def errors_guess(table: Gathered, options: AuditOptions) -> Guess | None:
     """Return the guess that no value is below 0, where a caption or heading calls them errors."""
     if options.errors or options.maximise or options.minimum or options.functions:
         return None
-    values = [e.number.printed.value for e in table.entries if e.statistic in OF_VALUES]
-    if any(value < 0 for value in values):
+    names = {entry.statistic for entry in table.entries if is_of_runs(entry.statistic)}
+    values = {name for name in names if not is_width(name) and name != "sem"}
+    if any(e.number.printed.value < 0 for e in table.entries if e.statistic in values):
         return None
     headings = " ".join(table.words)
     for text, place in ((table.text, "the caption"), (headings, "a heading")):

@@ -32,6 +32,7 @@ _PATTERNS = {
     "best": r"best|mejor|meilleure?|beste[rs]?|bestwert|melhor|migliore|最优值?|最好值?|最佳值?"
     r"|лучшее|bst\.?",
     "lowest": r"min(?:imum|imal|\.)?|mín(?:imo|\.)?|minimo|最小值?|мин(?:имум|\.)?|lowest",
+    "iqr": r"iqr|inter[\s-]?quartile(?:\srange)?|rango\sintercuart[ií]lico|四分位距",
     "p-value": r"p[\s-]*val(?:ue|\.)?s?|p",
     "z": r"z[\s-]*(?:val(?:ue|\.)?s?|score)?",
     "h": r"h",
@@ -42,8 +43,8 @@ _PATTERNS = {
     "wins": r"\+/[=≈~]/-|w/[td]/l|wins?/(?:ties?|draws?)/loss(?:es)?|\(?w\|t\|l\)?|\+/-/[=≈~]|w/l/t"
     r"|[=≈]/\+/-|win/tie/loss|b/s/w|better/(?:equal|similar)/worse"
     rf"|^{_COUNT}wins?$",
-    "q1": r"q1|first\squartile|lower\squartile|25\s?%",
-    "q3": r"q3|third\squartile|upper\squartile|75\s?%",
+    "q1": r"q1|first\squartile|lower\squartile|25th\spercentile",
+    "q3": r"q3|third\squartile|upper\squartile|75th\spercentile",
     "time": r"(?:cpu\s|run\s?|elapsed\s|comp(?:utation(?:al)?|uting)?\.?\s)?times?|cpu|runtime"
     r"|耗时|时间|zeit|tiempo",
 }

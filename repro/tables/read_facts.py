@@ -8,8 +8,9 @@ from fractions import Fraction
 from repro.tables.arithmetic import joined
 from repro.tables.audit_options import AuditOptions
 from repro.tables.facts import Decision, Fact, Success, WinsAndLosses
-from repro.tables.gathered import OF_RUNS, VALUE, Entry, Gathered
+from repro.tables.gathered import VALUE, Entry, Gathered
 from repro.tables.levels import Level
+from repro.tables.named_cells import is_of_runs
 from repro.tables.numbers import NumberForm, number_form
 from repro.tables.read_blocks import ReadBlock
 from repro.tables.read_ranks import rankings_of
@@ -98,7 +99,11 @@ def _problems(table: Gathered, sums: Sequence[int]) -> int | None:
     told = {int(count) for count in _PROBLEMS.findall(table.text)}
     if told:
         return told.pop() if len(told) == 1 else None
-    named = {e.problem for e in table.entries if e.statistic in {*OF_RUNS, VALUE} and e.problem}
+    named = {
+        e.problem
+        for e in table.entries
+        if (is_of_runs(e.statistic) or e.statistic == VALUE) and e.problem
+    }
     return len(named) if len(named) >= _WHOLE_TABLE or len(named) in sums else None
 
 

@@ -20,6 +20,7 @@ TIES: tuple[Literal["average", "min", "max", "dense", "ordinal"], ...] = (
 )
 METHODS = ("GWO", "PSO", "DE", "WOA", "SSA", "ABC")
 THRESHOLDS = (1e-4, 0.1, 1e-8, 100.0, 0.3, 1.0, 5e-3)
+DECISIONS = (("0", "1"), ("False", "True"), ("no", "yes"), ("not rejected", "rejected"))
 LEVELS = (0.05, 0.05, 0.01, 0.1)
 
 
@@ -108,6 +109,7 @@ def test_table(rng: Generator) -> TrueTable:
     digits, how = int(rng.integers(2, 7)), "scientific" if rng.random() < 0.6 else "fixed"
     lines = [["Function", "p-value", *columns]]
     corrected, marks = rng.random() < 0.5, rng.random() < 0.3 and "h" not in columns
+    words = DECISIONS[int(rng.integers(len(DECISIONS)))]
     exact = "z" not in columns and rng.random() < 0.3
     for k in range(1, int(rng.integers(2, 6))):
         one, other = runs_of(rng, n, "errors"), runs_of(rng, n, "errors")
@@ -119,7 +121,7 @@ def test_table(rng: Generator) -> TrueTable:
         effect = z / math.sqrt(n if rng.random() < 0.5 else 2 * n)
         beside = {
             "z": printed(z, how, digits),
-            "h": str(int(p < alpha)),
+            "h": words[p < alpha],
             "r": f"{abs(effect):.{digits}f}",
         }
         mark = ("+" if p < alpha else "=") if marks else ""

@@ -104,9 +104,9 @@ def statistics_of(runs: Vector, pipeline: Pipeline, names: tuple[str, ...]) -> d
             found |= _spreads(kept, mean, pipeline)
         if "median" in names:
             found["median"] = _median(np.sort(kept), pipeline.middle)
-        if not {"q1", "q3"}.isdisjoint(names):
+        if not {"q1", "q3", "iqr"}.isdisjoint(names):
             ends = np.percentile(kept, [25, 75], method=pipeline.quantiles)
-            found |= {"q1": ends[0], "q3": ends[1]}
+            found |= {"q1": ends[0], "q3": ends[1], "iqr": ends[1] - ends[0]}
     found["best"], found["worst"] = (
         (found["highest"], found["lowest"])
         if pipeline.maximise
