@@ -82,29 +82,33 @@ def _tallies(table: Gathered, found: Mapping[str, Sequence[Entry]]) -> Iterator[
             parts[key][name] = entry.number
     parts = {key: cells for key, cells in parts.items() if {"wins", "losses"} <= cells.keys()}
     sums = [sum(int(cell.printed.value) for cell in cells.values()) for cells in parts.values()]
+    problems, is_told = _problems(table, sums)
     for cells in parts.values():
         yield WinsAndLosses(
             wins=cells.get("wins"),
             ties=cells.get("ties"),
             losses=cells.get("losses"),
-            problems=_problems(table, sums),
+            problems=problems,
+            is_told=is_told,
         )
 
 
-def _problems(table: Gathered, sums: Sequence[int]) -> int | None:
+def _problems(table: Gathered, sums: Sequence[int]) -> tuple[int | None, bool]:
     """Return the number of problems that a caption tells, or else that the table has lines of.
 
-    A table of a few lines may be a part of one: then some tally must agree with them.
+    A table of a few lines may be a part of one: then some tally must agree with them, which tells
+    their number as a caption does.
     """
     told = {int(count) for count in _PROBLEMS.findall(table.text)}
     if told:
-        return told.pop() if len(told) == 1 else None
+        return (told.pop() if len(told) == 1 else None), True
     named = {
         e.problem
         for e in table.entries
         if (is_of_runs(e.statistic) or e.statistic == VALUE) and e.problem
     }
-    return len(named) if len(named) >= _WHOLE_TABLE or len(named) in sums else None
+    agrees = len(named) in sums
+    return (len(named) if len(named) >= _WHOLE_TABLE or agrees else None), agrees
 
 
 def _successes(
