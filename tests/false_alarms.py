@@ -50,8 +50,8 @@ functions computed by other programs; 2 to 1,000 runs. How they were made, each 
   minimum, errors, whole numbers told or not;
 - ranks of values or of prints, ties in five ways, with sums, means and places; success rates
   rounded or cut, of runs that reach a threshold or pass below it; rank tests in normal form, with
-  and without a correction, or exact, one- and two-sided, with z, r and decisions in figures or words;
-  tallies of all problems or a part, and sign tests;
+  and without a correction, or exact, one- and two-sided, with z, r and decisions in figures or
+  words; tallies of all problems or a part, and sign tests;
 - methods whose rows are equal, as copies or because both always reach the optimum.
 
 ## Power
