@@ -2,8 +2,11 @@ import pytest
 
 from repro.tables.audit_options import AuditOptions
 from repro.tables.auditing import AuditedTable, audit_text
+from repro.tables.blocks import Block
 from repro.tables.possible_runs import ONE_OF_THESE
-from repro.tables.senses import LEAST_IS_BEST
+from repro.tables.printed import Printed
+from repro.tables.relations import PlacedNumber
+from repro.tables.senses import LEAST_IS_BEST, with_senses
 
 RISING = "F{k},{name},1.5,2.5,3.5\n"
 FALLING = "F{k},{name},3.5,2.5,1.5\n"
@@ -98,4 +101,30 @@ def test_a_spread_that_some_numbers_of_runs_forbid_has_the_conditions_of_each() 
     (row,) = table.rows
     assert row.condition == (
         f"runs and statistics are kept in double precision, and {ONE_OF_THESE}"
+    )
+
+
+def test_what_summing_loses_in_a_mean_does_not_reverse_a_declared_block() -> None:
+    # 30 runs of 239980.328125 in single precision, summed in turn
+    equal = {"best": "239980.328125", "mean": "239980.312500", "worst": "239980.328125"}
+    falling = {"best": "3.5", "mean": "2.5", "worst": "1.5"}
+
+    blocks, questions = with_senses("doe", [block_of(falling), block_of(equal)])
+
+    assert [block.maximise for block in blocks] == [True, True]
+    assert [row.check for row in questions] == ["maximisation"]
+    assert with_senses("doe", [block_of(equal)])[1] == []
+
+
+def block_of(texts: dict[str, str]) -> Block:
+    return Block(
+        problem_name="F1",
+        algorithm="A",
+        quantity="cost",
+        n=30,
+        cells={
+            name: PlacedNumber(printed=Printed(text), label="t", row="F1", column=name)
+            for name, text in texts.items()
+        },
+        scientific=False,
     )
