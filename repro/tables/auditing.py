@@ -128,6 +128,7 @@ def audited_table(
     }
     level = level_of(table.text, options)
     facts = facts_of(table, own, options, runs=runs, level=level)
+    checked = _checked(blocks, facts)
     rows = list(_rows(file, found, facts, runs))
     maximised = any(block.maximise for block in blocks)
     errors = None if maximised else errors_guess(table, options)
@@ -140,14 +141,14 @@ def audited_table(
         label=table.label,
         grid=grid,
         cells=len(table.entries),
-        checked=_checked(blocks, facts),
+        checked=len(checked),
         blocks=len(blocks),
         runs=runs,
         skipped=table.skipped,
         guesses=(
             *told,
             *open_n,
-            *guess_lines(table, options),
+            *guess_lines(table, options, checked),
             *sense_lines(found, options),
             *spread_lines(table, options),
             *(level.guesses if any(isinstance(fact, Decision) for fact in facts) else ()),
@@ -157,8 +158,8 @@ def audited_table(
     )
 
 
-def _checked(blocks: Sequence[Block], facts: Sequence[Fact]) -> int:
-    """Return how many numbers a check looks at."""
+def _checked(blocks: Sequence[Block], facts: Sequence[Fact]) -> set[int]:
+    """Return the ids of the numbers that a check looks at."""
     cells = [
         cell
         for block in blocks
@@ -166,7 +167,7 @@ def _checked(blocks: Sequence[Block], facts: Sequence[Fact]) -> int:
         if name not in SPREADS or name == block.spread  # of two spreads checks read one
     ]
     cells += [cell for fact in facts for cell in places_of(fact)]
-    return len(set(map(id, cells)))  # two columns of one heading may print the same number
+    return set(map(id, cells))  # two columns of one heading may print the same number
 
 
 def _rows(

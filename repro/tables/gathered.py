@@ -83,7 +83,7 @@ def gathered_cells(
         words=words,
         pairs=pairs if has_pairs else ("", ""),
         notes=notes,
-        text=" ".join(plain(text) for text in (title, *found.footers)),
+        text=" ".join(plain(text) for text in (title, *found.corner, *found.footers)),
     )
 
 

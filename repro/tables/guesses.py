@@ -1,7 +1,7 @@
 """What is not told of a table: the number of runs, the sense, what the spread is."""
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Container, Iterator, Sequence
 
 from repro.tables.audit_options import SPREADS, AuditOptions, Guess
 from repro.tables.gathered import VALUE, Entry, Gathered
@@ -50,8 +50,8 @@ def _heading_of_runs(entry: Entry) -> str:
     return next((name for name in (number.column, number.row) if heads_runs(name)), "")
 
 
-def guess_lines(table: Gathered, options: AuditOptions) -> Iterator[Guess]:
-    """Yield what is taken for granted of what the numbers are."""
+def guess_lines(table: Gathered, options: AuditOptions, checked: Container[int]) -> Iterator[Guess]:
+    """Yield what is taken for granted of what the numbers are; `checked` are ids of cells."""
     for note in table.notes:
         yield Guess(says=note)
     renamed = [f'"{word}" is {name}' for word, name in table.words.items()]
@@ -61,7 +61,7 @@ def guess_lines(table: Gathered, options: AuditOptions) -> Iterator[Guess]:
         first = "" if table.pairs[0] == "mean" else f"first is the {table.pairs[0]}, the "
         yield Guess(says=f"of two numbers in one cell the {first}second is the {table.pairs[1]}")
     unnamed = [entry for entry in table.entries if entry.statistic == VALUE]
-    values = sum(not _heading_of_runs(entry) for entry in unnamed)
+    values = sum(id(e.number) not in checked and not _heading_of_runs(e) for e in unnamed)
     if values:
         yield Guess(says=f"no heading names a statistic for {values} numbers: they are not checked")
     if options.significant is not None:

@@ -26,17 +26,17 @@ _LONG = 60  # letters of a lone text below the numbers that is a note
 class Label:
     """A text that a cell stands under, and the heading of the column of that text, if any.
 
-    `quantile` is the statistic that a share names: "q1" of 25 %.
+    `statistic` is what it names only among others: "q1" of 25 %.
     """
 
     text: str
     heading: str = ""
-    quantile: str = ""
+    statistic: str = ""
 
     @property
     def statistics(self) -> tuple[tuple[str, ...], str]:
         """The statistics that it names, in its order, and what else it says."""
-        return ((self.quantile,), "") if self.quantile else statistics_in(self.text)
+        return ((self.statistic,), "") if self.statistic else statistics_in(self.text)
 
     @property
     def is_statistic(self) -> bool:
@@ -68,10 +68,11 @@ class GridCell:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Layout:
-    """The cells of a table, and lone texts that stand below some of them."""
+    """The cells of a table, lone texts that stand below some, and the headings of their labels."""
 
     cells: tuple[GridCell, ...]
     footers: tuple[str, ...]
+    corner: tuple[str, ...] = ()
 
 
 def looks_numeric(text: str) -> bool:
@@ -148,7 +149,11 @@ def _layout(lines: Sequence[Sequence[str]], top: int) -> Layout:
         if first:
             above = [text or old for text, old in zip(line[:first], above, strict=True)]
         cells.extend(_cells(i, line, (group, above, heads)))
-    return Layout(cells=tuple(_of_columns_with_numbers(cells)), footers=tuple(footers))
+    return Layout(
+        cells=tuple(_of_columns_with_numbers(cells)),
+        footers=tuple(footers),
+        corner=tuple(text for texts in heads[:first] for text in texts),
+    )
 
 
 def _cells(
@@ -272,4 +277,18 @@ def _heads(lines: Sequence[Sequence[str]], first: int, width: int) -> list[tuple
             if not texts[j] and (lower if is_upper else not any(up[j] for up in lines[:k])):
                 texts[j] = texts[j - 1]
         filled.append(texts)
-    return [tuple(dict.fromkeys(t[j] for t in filled if t[j])) for j in range(width)]
+    heads = [tuple(dict.fromkeys(t[j] for t in filled if t[j])) for j in range(width)]
+    return _with_owners(heads, first)
+
+
+def _with_owners(heads: list[tuple[str, ...]], first: int) -> list[tuple[str, ...]]:
+    """Return the headings; a statistic that stands right of each of several names is theirs.
+
+    As in: F, GWO, rank, PSO, rank.
+    """
+    values = range(first, len(heads))
+    alone = [j for j in values if len(heads[j]) == 1 and is_statistic(heads[j][0])]
+    left = [heads[j - 1] for j in alone if j > first and j - 1 not in alone]
+    if not len({heads[j] for j in alone}) < len(alone) == len(left) == len(set(left)):
+        return heads
+    return [heads[j - 1] + heads[j] if j in alone else heads[j] for j in range(len(heads))]

@@ -12,7 +12,7 @@ from repro.tables.headings import (
     statistics_in,
 )
 from repro.tables.layout import GridCell, Label
-from repro.tables.shares import quantile_words
+from repro.tables.shares import quantile_words, tally_words
 from repro.tables.statistic_words import RANGE, quantile_share
 
 OF_RUNS = frozenset(("best", "mean", "median", "worst", "std", "variance", "sem", "q1", "q3"))
@@ -40,17 +40,17 @@ def is_of_runs(statistic: str) -> bool:
 
 def named_cells(cells: Sequence[GridCell], words: dict[str, str]) -> list[NamedCell]:
     """Return the cells with what their labels name; `words` gets what stands for a statistic."""
-    cells = _with_quantiles(cells)
+    cells = _with_words(cells)
     by_column: bool | None = _statistics_stand_in_columns(cells)
     if _are_names(cell.column if by_column else cell.row for cell in cells):
         by_column = None
     return [_named(cell, words, by_column=by_column) for cell in cells]
 
 
-def _with_quantiles(cells: Sequence[GridCell]) -> list[GridCell]:
-    """Return the cells with the shares among their labels named as quantiles, where they are."""
-    rows = _quantiles(cell.row for cell in cells)
-    columns = _quantiles(cell.column for cell in cells)
+def _with_words(cells: Sequence[GridCell]) -> list[GridCell]:
+    """Return the cells with labels that name statistics together, such as shares, named so."""
+    rows = _together(cell.row for cell in cells)
+    columns = _together(cell.column for cell in cells)
     if not rows and not columns:
         return list(cells)
     return [
@@ -59,20 +59,22 @@ def _with_quantiles(cells: Sequence[GridCell]) -> list[GridCell]:
     ]
 
 
-def _quantiles(places: Iterable[tuple[Label, ...]]) -> dict[str, str]:
-    """Return which labels that stand alone, or next to names, are quantiles."""
+def _together(places: Iterable[tuple[Label, ...]]) -> dict[str, str]:
+    """Return which labels that stand alone, or next to names, are quantiles or tallies."""
     distinct = list(dict.fromkeys(places))
-    words = quantile_words(label.text for labels in distinct for label in labels)
+    texts = [label.text for labels in distinct for label in labels]
+    tallies = tally_words(texts)
+    words = quantile_words(texts)
     mixed = any(
         label.text in words and any(statistics_in(other.text)[0] for other in labels)
         for labels in distinct
         for label in labels
     )
-    return {} if mixed else words
+    return tallies if mixed else words | tallies
 
 
 def _renamed(labels: tuple[Label, ...], words: Mapping[str, str]) -> tuple[Label, ...]:
-    return tuple(replace(label, quantile=words.get(label.text, "")) for label in labels)
+    return tuple(replace(label, statistic=words.get(label.text, "")) for label in labels)
 
 
 def _statistics_stand_in_columns(cells: Sequence[GridCell]) -> bool:

@@ -34,10 +34,12 @@ class _Printed:
 def with_ranks(table: Gathered, name: str = "") -> Gathered:
     """Return the table; whole numbers under a title of ranks, with no other heading, are ranks.
 
-    So are those of a file of that name.
+    So are those of a file of that name, and those above a line of their sums or means.
     """
-    beside = {entry.statistic for entry in table.entries} - {VALUE, "mean", "total rank"}
-    if beside or not _TITLE.search(f"{table.text} {name.replace('_', ' ')}"):
+    statistics = {entry.statistic for entry in table.entries}
+    totals = statistics & {"total rank", "average rank"}
+    titled = _TITLE.search(f"{table.text} {name.replace('_', ' ')}")
+    if statistics - {VALUE, "mean", *totals} or not (titled or totals):
         return table
     count = len({entry.algorithm for entry in table.entries})
     entries = tuple(_as_rank(entry) for entry in table.entries)
@@ -48,7 +50,8 @@ def with_ranks(table: Gathered, name: str = "") -> Gathered:
     ]
     if not ranks or any(not 1 <= rank <= count or (2 * rank) % 1 for rank in ranks):
         return table
-    notes = (*table.notes, "numbers under a title of ranks are taken for ranks")
+    under = "under a title" if titled else "above a line"
+    notes = (*table.notes, f"numbers {under} of ranks are taken for ranks")
     return replace(table, entries=entries, notes=notes)
 
 

@@ -22,6 +22,7 @@ _GREATER_IS_BETTER = re.compile(
     r"|hyper-?volumes?|psnr|ssim|sensitivity|specificity|throughput)\b",
     re.IGNORECASE,
 )
+_INNER = ("mean", "lowest", "highest")  # of which one may be the best, and one the worst
 Numbers = Mapping[str, Cell]  # of one block, by statistic
 
 
@@ -38,9 +39,10 @@ def sense_of(numbers: Numbers, runs: int | None = None, significant: int | None 
     """Return 1 where the best is surely the least number, -1 where the greatest, 0 where open.
 
     Numbers that are equal but for their rounding do not tell, nor does a mean within what the
-    summing of so many `runs` may lose, nor a block that is in order in neither sense. Digits that
-    are `significant` are told of every number.
+    summing of so many `runs` may lose; of a block that is in order in neither sense, best and worst
+    alone tell. Digits that are `significant` are told of every number.
     """
+    ends = {name: numbers[name] for name in ("best", "worst") if name in numbers}
     summing = 2 * ((runs or MANY_RUNS) + 2) * Arithmetic().roundoff
     rises = falls = False
     for names in _in_order(numbers):
@@ -49,6 +51,8 @@ def sense_of(numbers: Numbers, runs: int | None = None, significant: int | None 
         alike = share is None and _shape(one, significant) == _shape(other, significant)
         rises = rises or _less(one, other, share, alike=alike)
         falls = falls or _less(other, one, share, alike=alike)
+    if rises and falls and len(numbers) > len(ends):
+        return sense_of(ends, runs, significant)
     return rises - falls
 
 
@@ -72,7 +76,7 @@ def _shape(printed: Printed, significant: int | None) -> tuple[object, ...]:
 
 def _in_order(numbers: Numbers) -> list[tuple[str, str]]:
     """Return the pairs of statistics of which the first is no worse than the second."""
-    inner = [name for name in numbers if name == "mean" or quantile_share(name) is not None]
+    inner = [name for name in numbers if name in _INNER or quantile_share(name) is not None]
     groups = [[name for name in names if name in numbers] for names in (["best"], inner, ["worst"])]
     pairs = [pair for two in combinations(groups, 2) for pair in product(*two)]
     return sorted(pairs, key=lambda pair: "mean" in pair)  # which tell the least go last

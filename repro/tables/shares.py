@@ -1,4 +1,4 @@
-"""Headings that are shares, such as 25 % or 0.75, which name quantiles where statistics do."""
+"""Headings that mean something together: 25 % and 0.75 among statistics, better beside worse."""
 
 import re
 from collections.abc import Iterable
@@ -12,6 +12,13 @@ _SHARE = re.compile(
     re.IGNORECASE,
 )
 _NAMED = {Fraction(1, 4): "q1", Fraction(1, 2): "median", Fraction(3, 4): "q3"}
+_TALLIES = {
+    "wins": re.compile(r"\(?\+\)?|w|wins?|won|better|superior|胜", re.IGNORECASE),
+    "ties": re.compile(
+        r"\(?[=≈~]\)?|[td]|ties?|tied|draws?|equals?|similar|same|no\sdifference|平", re.IGNORECASE
+    ),
+    "losses": re.compile(r"\(?-\)?|l|loss(?:es)?|lost|worse|inferior|负", re.IGNORECASE),
+}
 _HALF = Fraction(1, 2)
 
 
@@ -25,6 +32,20 @@ def quantile_words(labels: Iterable[str]) -> dict[str, str]:
     beside = any(statistics_in(label)[0] for label in distinct if label not in shares)
     around = any(share < _HALF for share in shares.values()) and max(shares.values()) > _HALF
     return {label: _word(share) for label, share in shares.items()} if beside and around else {}
+
+
+def tally_words(labels: Iterable[str]) -> dict[str, str]:
+    """Return which labels head wins, ties and losses: words or signs that stand side by side."""
+    found = {
+        label: name
+        for label in dict.fromkeys(labels)
+        for name, pattern in _TALLIES.items()
+        if pattern.fullmatch(label.strip())
+    }
+    names = sorted(found.values())
+    words = any(len(label) > 1 for label in found)  # W and L alone may be a width and a length
+    is_whole = names == ["losses", "ties", "wins"] or (words and names == ["losses", "wins"])
+    return found if is_whole else {}
 
 
 def share_of(label: str) -> Fraction | None:

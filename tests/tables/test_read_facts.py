@@ -146,3 +146,26 @@ def test_a_tally_of_other_than_all_problems_says_what_it_would_be_wrong_under(
     (table,) = audit_text(text, AuditOptions())
 
     assert {(row.check, row.condition) for row in table.rows} == {("tally", condition)}
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Results on 26 functions\n,GWO vs PSO\n+/=/-,17/2/9\n",
+        "Comparison of 26 problems\nAlgorithm,Better,Equal,Worse\nDE,17,2,9\nPSO,17,2,7\n",
+        "Summary for 26 functions\nVs,W,T,L\nDE,17,2,9\nPSO,17,2,7\n",
+        "Summary for 26 functions\nVs,+,≈,−\nDE,17,2,9\nPSO,17,2,7\n",
+        "Summary for 26 functions\nOutcome,DE,PSO\nWins,17,17\nTies,2,2\nLosses,9,7\n",
+        "| CEC (26 functions) | PSO | DE |\n|---|---|---|\n| w/t/l | 17/2/7 | 17/2/9 |\n",
+    ],
+)
+def test_tallies_are_counted_wherever_they_and_the_number_of_problems_stand(text: str) -> None:
+    (table,) = audit_text(text, AuditOptions())
+
+    assert [row.explanation for row in table.rows] == ["17 + 2 + 9 = 28, for 26 problems"]
+
+
+def test_a_width_and_a_length_are_no_tally() -> None:
+    (table,) = audit_text("Design,W,L\nGWO,1.5,2.5\nPSO,1.6,2.6\n", AuditOptions())
+
+    assert (table.rows, table.checked) == ((), 0)

@@ -128,3 +128,17 @@ def block_of(texts: dict[str, str]) -> Block:
         },
         scientific=False,
     )
+
+
+def test_a_best_that_is_the_maximum_tells_the_sense() -> None:
+    table = audited("Instance,Min,Mean,Max,Best\nk1,1175,1187,1190,1190\nk2,20,21,22,22\n")
+
+    assert table.rows == ()
+    assert sense(table).startswith("maximisation?")
+
+
+def test_of_a_block_in_order_in_neither_sense_best_and_worst_tell() -> None:
+    table = audited("F,Best,Mean,Median,Worst\nF1,1.5,9.5,2.0,3.5\n")
+
+    assert sense(table) == "minimisation"
+    assert {row.check for row in table.proofs} == {"mean-bound", "quantile-mean"}
