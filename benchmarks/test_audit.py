@@ -69,6 +69,14 @@ def test_blocks(benchmark: BenchmarkFixture, results: Results) -> None:
     )
 
 
+def test_blocks_without_n(benchmark: BenchmarkFixture, results: Results) -> None:
+    _, _, text = table(FUNCTIONS, ALGORITHMS).partition("\n")  # without its title, which tells n
+    (found,) = audit_text(text, AuditOptions())
+    assert found.runs is None
+    call = partial(audit_text, text, AuditOptions())
+    measured(benchmark, results, f"{found.blocks:,} blocks, n not told", call)
+
+
 def test_command(benchmark: BenchmarkFixture, results: Results, tmp_path: Path) -> None:
     file = tmp_path / "table.csv"
     file.write_text(table(1, 2), encoding="utf-8")

@@ -43,14 +43,15 @@ functions computed by other programs; 2 to 1,000 runs. How they were made, each 
 - sums in turn from either end, pairwise, or exact; spreads in two passes, in one (mean of squares,
   or sum of squares) or updated run by run, in the n or the n − 1 form, as standard deviation,
   variance or standard error;
-- the median and quartiles of thirteen definitions;
+- the median, the quartiles and the range between them, of thirteen definitions;
 - rounded to 2 to 9 digits or decimals, with powers of ten or without, rounded to 4 digits as R
   does, cut off, rounded twice, each number with digits of its own;
 - minimised or maximised, told or guessed; n told, in the caption, or not given at all; a known
   minimum, errors, whole numbers told or not;
 - ranks of values or of prints, ties in five ways, with sums, means and places; success rates
   rounded or cut, of runs that reach a threshold or pass below it; rank tests in normal form, with
-  and without a correction, or exact, one- and two-sided, with z, r and h; tallies and sign tests;
+  and without a correction, or exact, one- and two-sided, with z, r and decisions in figures or
+  words; tallies of all problems or a part, and sign tests;
 - methods whose rows are equal, as copies or because both always reach the optimum.
 
 ## Power

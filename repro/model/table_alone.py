@@ -8,8 +8,8 @@ from typing import Any, Literal
 from repro.functions import BenchmarkProblem
 from repro.model.known_words import known_words, shown_value
 from repro.tables.audit_options import option_faults
-from repro.tables.auditing import names_of
 from repro.tables.published import PublishedTable
+from repro.tables.read_blocks import names_of
 from repro.tables.read_published import read_published
 
 Numbers = float | int | str | Fraction

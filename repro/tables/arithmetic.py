@@ -31,9 +31,10 @@ CONDITIONS = {
     "exact_zeros": "a bare 0 stands for what the arithmetic rounds to 0, not for a small number",
     "whole": "no digit of a whole number is rounded away",
     "in_box": "every run ends inside the box",
-    "two_pass": "standard deviations are taken from differences to the mean, and not from the mean "
+    "two_pass": "standard deviations are taken from differences to the mean, not from the mean "
     "of squares less the square of the mean",
 }
+_AND = ", and "
 _WHOLE = re.compile(r"[-+]?0*(\d+)")
 
 
@@ -75,7 +76,17 @@ NARROWEST = Arithmetic(doubles=True, exact_zeros=True, whole=True, in_box=True, 
 
 def joined(conditions: Iterable[str | None]) -> str | None:
     """Return conditions that must all hold as one; None where there is none."""
-    return ", and ".join(filter(None, conditions)) or None
+    return _AND.join(filter(None, conditions)) or None
+
+
+def parted(condition: str | None) -> list[str]:
+    """Return the parts of a condition that `joined` made one."""
+    return condition.split(_AND) if condition else []
+
+
+def both(one: str | None, other: str | None) -> str | None:
+    """Return the condition that says what two say, no part of it twice."""
+    return joined(dict.fromkeys((*parted(one), *parted(other))))
 
 
 @lru_cache(maxsize=1 << 16)

@@ -7,25 +7,32 @@ from functools import partial
 from typing import Any
 
 from repro.errors import InputError
-from repro.tables.arithmetic import IN_DOUBLES, NARROWEST, joined
+from repro.tables.arithmetic import IN_DOUBLES, joined, parted
 from repro.tables.audit_options import AuditOptions, Guess
-from repro.tables.blocks import Block, FunctionBounds, known_minimum
+from repro.tables.blocks import Block, known_minimum
 from repro.tables.checks import block_rows, fact_rows
 from repro.tables.facts import Decision, Fact
-from repro.tables.gathered import Entry, Gathered, Skipped, gathered, numbered
+from repro.tables.gathered import Gathered, Skipped, gathered
 from repro.tables.grids import Grid
-from repro.tables.guesses import errors_guess, guess_lines, guessed_runs, is_maximised
+from repro.tables.guesses import (
+    errors_guess,
+    guess_lines,
+    guessed_runs,
+    sense_lines,
+    spread_lines,
+)
 from repro.tables.levels import level_of
 from repro.tables.markup import plain
 from repro.tables.possible_runs import TRIED, can_be, possible_runs, rows_at_any_number
+from repro.tables.read_blocks import ReadBlock, letters, names_of, read_blocks
 from repro.tables.read_facts import facts_of, places_of
 from repro.tables.read_ranks import with_ranks
 from repro.tables.repeats import repeat_rows
 from repro.tables.rows import AuditRow
+from repro.tables.senses import in_either_sense
 from repro.tables.statistic_words import SPREADS
 from repro.tables.texts import Form, tables_in
 
-_SPREADS = {"std": "std", "variance": "variance", "sem": "standard error"}
 NO_NEGATIVE = "no value is below 0"
 _TITLE = 60
 _SHOWN = 6  # blocks that a line names
@@ -93,17 +100,12 @@ def audited(
 
 
 def _refuse_unknown(options: AuditOptions, problems: Iterable[str], file: str) -> None:
-    known = {_letters(name) for each in problems for name in names_of(each)}
+    known = {letters(name) for each in problems for name in names_of(each)}
     for name in (*options.functions, *options.minimum):
-        if _letters(name) not in known:
+        if letters(name) not in known:
             there = ", ".join(filter(None, problems)) or "none that is named"
             message = f"{file}: no problem is called {name!r}; there is {there:.200}"
             raise InputError(message)
-
-
-def names_of(problem: str) -> tuple[str, ...]:
-    """Return what a problem may be called: its name, the first word of it, or nothing for all."""
-    return problem, problem.split(" ", maxsplit=1)[0], ""
 
 
 def _label(grid: Grid, k: int, tables: int) -> str:
@@ -119,15 +121,16 @@ def audited_table(
 ) -> AuditedTable:
     """Return the audit of a table of which it is known what its numbers are of."""
     runs, guess = guessed_runs(table, context, options)
-    parts = _parts(table.entries)
-    maximised = options.maximise if options.maximise is not None else is_maximised(parts, runs)
-    blocks = [
-        block for part in parts if (block := _block(part, runs, options, maximised=maximised))
-    ]
-    own = {(b.problem_name, b.algorithm): b for b in blocks if b.quantity == "cost"}
+    found = read_blocks(table.entries, runs, options)
+    blocks = [each.block for each in found]
+    own = {
+        (b.block.problem_name, b.block.algorithm): b for b in found if b.block.quantity == "cost"
+    }
     level = level_of(table.text, options)
-    facts = facts_of(table, own, options, runs=runs, level=level, maximised=maximised)
-    rows = list(_rows(file, blocks, facts, runs))
+    facts = facts_of(table, own, options, runs=runs, level=level)
+    checked = _checked(blocks, facts)
+    rows = list(_rows(file, found, facts, runs))
+    maximised = any(block.maximise for block in blocks)
     errors = None if maximised else errors_guess(table, options)
     if errors:
         rows.extend(list(_if_errors(file, blocks, runs, rows)))
@@ -138,14 +141,16 @@ def audited_table(
         label=table.label,
         grid=grid,
         cells=len(table.entries),
-        checked=_checked(blocks, facts),
+        checked=len(checked),
         blocks=len(blocks),
         runs=runs,
         skipped=table.skipped,
         guesses=(
             *told,
             *open_n,
-            *guess_lines(table, options, maximised=maximised),
+            *guess_lines(table, options, checked),
+            *sense_lines(found, options),
+            *spread_lines(table, options),
             *(level.guesses if any(isinstance(fact, Decision) for fact in facts) else ()),
         ),
         rows=tuple(_in_precision(rows, options.precision)),
@@ -153,61 +158,8 @@ def audited_table(
     )
 
 
-def _parts(entries: Sequence[Entry]) -> list[dict[str, Entry]]:
-    parts: dict[tuple[str, str, str, int], dict[str, Entry]] = {}
-    for key, entry in numbered(entries):
-        parts.setdefault(key, {})[entry.statistic] = entry
-    return list(parts.values())
-
-
-def _block(
-    part: Mapping[str, Entry], runs: int | None, options: AuditOptions, *, maximised: bool
-) -> Block | None:
-    """Return the block of some numbers, by the names that checks know."""
-    spread = _SPREADS[options.spread or "std"]
-    low, high = ("worst", "best") if maximised else ("best", "worst")
-    own_names = {"lowest": low, "highest": high, "std": spread, "sem": "standard error"}
-    numbers = {name: entry.number for name, entry in part.items()}
-    cells = {own_names.get(name, name): number for name, number in numbers.items()}
-    if not cells:
-        return None
-    entry = next(iter(part.values()))
-    return Block(
-        problem_name=entry.problem or entry.algorithm,
-        algorithm=entry.algorithm,
-        quantity=entry.quantity or "cost",
-        n=runs or TRIED[0],
-        cells=cells,
-        scientific=any(number.printed.power is not None for number in numbers.values()),
-        given=replace(NARROWEST, significant=options.significant),
-        maximise=maximised,
-        whole_numbers=options.integers and not entry.quantity,
-        function=None if entry.quantity else _bounds(entry.problem, options, maximised=maximised),
-    )
-
-
-def _bounds(problem: str, options: AuditOptions, *, maximised: bool) -> FunctionBounds | None:
-    """Return what is told of the values of a problem."""
-    for names in (options.functions, options.minimum):
-        for name in names_of(problem):
-            told = _named(names, name)
-            if isinstance(told, FunctionBounds):
-                return told
-            if isinstance(told, Fraction):
-                return known_minimum(f"{name or 'the problem'}, as told,", told)
-    return known_minimum("an error", Fraction(0)) if options.errors and not maximised else None
-
-
-def _named(names: Mapping[str, Any], name: str) -> Any:  # noqa: ANN401 (a bound or a number)
-    return next((told for key, told in names.items() if _letters(key) == _letters(name)), None)
-
-
-def _letters(name: str) -> str:
-    return "".join(filter(str.isalnum, name.lower()))
-
-
-def _checked(blocks: Sequence[Block], facts: Sequence[Fact]) -> int:
-    """Return how many numbers a check looks at."""
+def _checked(blocks: Sequence[Block], facts: Sequence[Fact]) -> set[int]:
+    """Return the ids of the numbers that a check looks at."""
     cells = [
         cell
         for block in blocks
@@ -215,17 +167,21 @@ def _checked(blocks: Sequence[Block], facts: Sequence[Fact]) -> int:
         if name not in SPREADS or name == block.spread  # of two spreads checks read one
     ]
     cells += [cell for fact in facts for cell in places_of(fact)]
-    return len(set(map(id, cells)))  # two columns of one heading may print the same number
+    return set(map(id, cells))  # two columns of one heading may print the same number
 
 
 def _rows(
-    file: str, blocks: Sequence[Block], facts: Sequence[Fact], runs: int | None
+    file: str, found: Sequence[ReadBlock], facts: Sequence[Fact], runs: int | None
 ) -> Iterator[AuditRow]:
-    for block in blocks:
-        yield from _of_block(file, block, runs)
+    for each in found:
+        rows = list(_of_block(file, each.block, runs))
+        if each.other is None or not rows:
+            yield from rows
+        else:
+            yield from in_either_sense(rows, list(_of_block(file, each.other, runs)))
     for fact in facts:
         yield from fact_rows(file, fact)
-    yield from repeat_rows(file, blocks)
+    yield from repeat_rows(file, [each.block for each in found])
 
 
 def _of_block(file: str, block: Block, runs: int | None) -> Iterator[AuditRow]:
@@ -253,7 +209,7 @@ def _if_errors(
 def _in_precision(rows: Sequence[AuditRow], precision: str | None) -> Iterator[AuditRow]:
     """Yield the rows that hold in the precision that is told, without what it settles."""
     for row in rows:
-        conditions = (row.condition or "").split(", and ")
+        conditions = parted(row.condition)
         if precision is None or IN_DOUBLES not in conditions:
             yield row
         elif precision == "double":

@@ -8,7 +8,7 @@ from functools import cached_property
 from repro.tables.arithmetic import NARROWEST, Arithmetic, statistic_span
 from repro.tables.published import Printed
 from repro.tables.relations import Cell
-from repro.tables.statistic_words import SPREADS, quantile_share
+from repro.tables.statistic_words import SPREADS, is_width, quantile_share
 from repro.tables.true_numbers import Span
 
 
@@ -143,7 +143,7 @@ class Block:
         if statistic not in self.cells:
             return None
         whole, floor = self.own_span(statistic), self.floor
-        if statistic in SPREADS or floor is None:
+        if is_width(statistic) or floor is None:
             return whole
         return Span(max(whole.low, floor), max(whole.high, floor))
 

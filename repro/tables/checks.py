@@ -10,13 +10,14 @@ from repro.tables.doubles import double_rows
 from repro.tables.facts import Decision, Fact, RankedRows, Success, WinsAndLosses
 from repro.tables.order import order_rows
 from repro.tables.quantiles import quantile_rows
+from repro.tables.ranges import range_rows_of
 from repro.tables.rankings import ranking_rows
 from repro.tables.rows import AuditRow
 from repro.tables.senses import with_senses
 from repro.tables.spread import spread_rows
 from repro.tables.wholes import whole_rows
 
-_OF_A_BLOCK = (order_rows, spread_rows, quantile_rows, whole_rows, double_rows)
+_OF_A_BLOCK = (order_rows, spread_rows, quantile_rows, range_rows_of, whole_rows, double_rows)
 
 
 def rows_of_blocks(paper: str, blocks: Sequence[Block]) -> Iterator[AuditRow]:

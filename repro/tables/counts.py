@@ -13,10 +13,14 @@ from repro.tables.graded import graded
 from repro.tables.rows import AuditRow, Grade, audit_row
 from repro.tables.true_numbers import Span, exact, shown, span
 
+ALL_SHOWN = "the table has a line for every problem that is counted, and for no other"
+ALL_COUNTED = "every problem that the caption speaks of is counted"
+ONCE = "every problem is counted once, not once a dimension or measure"
+
 
 def tally_rows(paper: str, tally: WinsAndLosses) -> Iterator[AuditRow]:
     """Yield a row where wins, ties and losses are no counts, or not those of all problems."""
-    cells = tally.cells
+    cells, condition = tally.cells, None
     numbers = [exact(cell.printed.value) for cell in cells]
     text = " + ".join(cell.printed.text for cell in cells)
     if any(number < 0 or number.denominator != 1 for number in numbers):
@@ -27,9 +31,26 @@ def tally_rows(paper: str, tally: WinsAndLosses) -> Iterator[AuditRow]:
         tally.wins and tally.losses and tally.ties and sum(numbers) < tally.problems
     ):
         says = f"{text} = {sum(numbers)}, for {tally.problems} problems"
+        condition = _if_counted(sum(numbers), tally.problems, is_told=tally.is_told)
     else:
         return
-    yield audit_row(paper, cells, check="tally", grade=Grade.INCONSISTENT, explanation=says)
+    yield audit_row(
+        paper,
+        cells,
+        check="tally",
+        grade=Grade.INCONSISTENT,
+        explanation=says,
+        condition=condition,
+    )
+
+
+def _if_counted(total: Fraction | int, problems: int, *, is_told: bool) -> str | None:
+    """Return on which condition a tally of so many is not one of so many problems."""
+    if not is_told:
+        return ALL_SHOWN
+    if total < problems:
+        return ALL_COUNTED
+    return ONCE if total % problems == 0 else None
 
 
 def success_rows(paper: str, success: Success) -> Iterator[AuditRow]:

@@ -9,7 +9,7 @@ from repro.tables.arithmetic import IN_DOUBLES
 from repro.tables.blocks import Block
 from repro.tables.graded import graded
 from repro.tables.rows import AuditRow, Grade, audit_row
-from repro.tables.statistic_words import SPREADS
+from repro.tables.statistic_words import is_width
 from repro.tables.true_numbers import Span, exact, shown, span
 
 RUNS = 1000  # the largest number of runs that is tried to explain a spread of rounding
@@ -19,7 +19,7 @@ SPACINGS = 16  # a computed mean of equal values is off by fewer of its last bit
 def double_rows(paper: str, block: Block) -> Iterator[AuditRow]:
     """Yield rows for values below the minimum, between two doubles, and for spreads of rounding."""
     for name in block.cells:
-        if name not in SPREADS and block.function is not None:
+        if not is_width(name) and block.function is not None:
             yield from graded(
                 paper, block, (name,), check="above-ceiling", finds=partial(_above_ceiling, name)
             )

@@ -15,15 +15,17 @@ places between (dense), or one each in some order. "any" leaves it open."""
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class WinsAndLosses:
-    """How often an algorithm wins, ties and loses on so many `problems`; None where not told.
+    """How often an algorithm wins, ties and loses on so many `problems`; None where not known.
 
-    A column that is not printed is None.
+    A column that is not printed is None. Where the number `is_told` it is that of a caption, else
+    that of the lines of the table, which may show a part, or more than is counted.
     """
 
     wins: Cell | None
     ties: Cell | None
     losses: Cell | None
     problems: int | None = None
+    is_told: bool = True
 
     @property
     def cells(self) -> tuple[Cell, ...]:

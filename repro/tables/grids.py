@@ -1,8 +1,13 @@
 """Tables as grids of texts, before anything is known of what they say."""
 
+import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
+_OF_TITLES = re.compile(
+    r"\b(?:tab(?:le|\.|elle|la)|results?|runs?|trials?|comparisons?|values?|dimensions?|functions?)\b",
+    re.IGNORECASE,
+)
 MOST_CELLS = 500_000  # of one file
 
 
@@ -47,11 +52,20 @@ def parted(whole: Grid) -> list[Grid]:
             close()
             if lines:
                 titles, lines = [whole.title] if whole.title else [], []
-        elif len(filled) == 1 and not lines and not (line[0] == "" and len(line) == 2):
-            titles.append(filled[0])
+        elif not lines and _is_title(line, filled):
+            titles.append(", ".join(filled))
         else:
             lines.append(line)
     return [each for each in found if len(each.lines) > 1 and len(each.lines[0]) > 1]
+
+
+def _is_title(line: Sequence[str], filled: Sequence[str]) -> bool:
+    """Say whether a line above all others is a title: one text, or one that commas have parted."""
+    if len(filled) == 1:
+        return not (line[0] == "" and len(line) == 2)
+    is_short = len(filled) < len(line) and list(line[: len(filled)]) == list(filled)
+    text = " ".join(filled)
+    return is_short and len(text.split()) > len(filled) and _OF_TITLES.search(text) is not None
 
 
 def _without_empty_columns(lines: Sequence[Sequence[str]]) -> list[list[str]]:

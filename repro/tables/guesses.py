@@ -1,17 +1,17 @@
 """What is not told of a table: the number of runs, the sense, what the spread is."""
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
-from fractions import Fraction
+from collections.abc import Container, Iterator, Sequence
 
-from repro.tables.arithmetic import Arithmetic, is_less
 from repro.tables.audit_options import SPREADS, AuditOptions, Guess
 from repro.tables.gathered import VALUE, Entry, Gathered
 from repro.tables.headings import heads_runs, runs_in, sizes_in
+from repro.tables.named_cells import is_of_runs
+from repro.tables.read_blocks import ReadBlock
+from repro.tables.statistic_words import is_width
 
 LEAST_RUNS = 2
-MANY_RUNS = 1000
-OF_VALUES = ("best", "mean", "median", "worst", "lowest", "highest", "q1", "q3")
+_NAMED = 6  # problems of which a line says the sense
 _ERROR = re.compile(r"(?<!standard )(?<!std )(?<!std\. )\berrors?\b", re.IGNORECASE)
 
 
@@ -23,7 +23,7 @@ def guessed_runs(
         return options.runs, Guess(says=f"n = {options.runs} as told", option="runs")
     for found, place in (
         (runs_in(table.text), "the caption"),
-        (_in_a_column(table), "a column"),
+        (_counted(table), "a column"),
         (sizes_in(table.text), "the caption"),
         (runs_in(context), "the text of the file"),
     ):
@@ -37,55 +37,39 @@ def guessed_runs(
     return None, Guess(says="n is not told", option="runs")
 
 
-def _in_a_column(table: Gathered) -> Iterator[tuple[int, str]]:
-    """Yield what a column of numbers of runs says."""
+def _counted(table: Gathered) -> Iterator[tuple[int, str]]:
+    """Yield what a column, or a line, of numbers of runs says."""
     for entry in table.entries:
-        printed = entry.number.printed
-        if heads_runs(entry.number.column) and printed.value == int(printed.value):
-            yield int(printed.value), entry.number.column
+        heading, value = _heading_of_runs(entry), entry.number.printed.value
+        if heading and value.is_integer():
+            yield int(value), heading
 
 
-def is_maximised(blocks: Sequence[Mapping[str, Entry]], runs: int | None = None) -> bool:
-    """Say whether, wherever a best stands with a worst, median or mean, it is never the lower one.
-
-    Numbers that are equal but for their rounding do not tell; nor does a mean within what the
-    summing of so many runs may lose.
-    """
-    summing = 2 * ((runs or MANY_RUNS) + 2) * Arithmetic().roundoff
-    senses = [_greater_best(block, summing) for block in blocks]
-    return any(senses) and min(senses) >= 0
+def _heading_of_runs(entry: Entry) -> str:
+    number = entry.number
+    return next((name for name in (number.column, number.row) if heads_runs(name)), "")
 
 
-def _greater_best(block: Mapping[str, Entry], summing: Fraction) -> int:
-    """Return 1 where a best is the greater number, -1 where the lower, 0 where nothing tells."""
-    if "best" not in block:
-        return 0
-    best = block["best"].number.printed
-    for name, share in (("worst", Fraction(0)), ("median", Fraction(0)), ("mean", summing)):
-        if name in block:
-            other = block[name].number.printed
-            if is_less(other, best, share=share):
-                return 1
-            if is_less(best, other, share=share):
-                return -1
-    return 0
-
-
-def guess_lines(table: Gathered, options: AuditOptions, *, maximised: bool) -> Iterator[Guess]:
-    """Yield what is taken for granted, but for the number of runs."""
+def guess_lines(table: Gathered, options: AuditOptions, checked: Container[int]) -> Iterator[Guess]:
+    """Yield what is taken for granted of what the numbers are; `checked` are ids of cells."""
     for note in table.notes:
         yield Guess(says=note)
     renamed = [f'"{word}" is {name}' for word, name in table.words.items()]
     if renamed:
         yield Guess(says=f"headings: {', '.join(renamed[:12])}{', …' * (len(renamed) > 12)}")
     if table.pairs[0]:
-        yield Guess(says=f"of two numbers in one cell the second is the {table.pairs[1]}")
-    values = sum(entry.statistic == VALUE for entry in table.entries)
+        first = "" if table.pairs[0] == "mean" else f"first is the {table.pairs[0]}, the "
+        yield Guess(says=f"of two numbers in one cell the {first}second is the {table.pairs[1]}")
+    unnamed = [entry for entry in table.entries if entry.statistic == VALUE]
+    values = sum(id(e.number) not in checked and not _heading_of_runs(e) for e in unnamed)
     if values:
         yield Guess(says=f"no heading names a statistic for {values} numbers: they are not checked")
     if options.significant is not None:
         yield Guess(says=_rounded(table, options.significant), option="significant")
-    yield _sense(options, maximised=maximised)
+
+
+def spread_lines(table: Gathered, options: AuditOptions) -> Iterator[Guess]:
+    """Yield what a spread is taken for, where there is one and nothing is told."""
     if any(entry.statistic == "std" for entry in table.entries) and options.spread is None:
         yield Guess(
             says="the spread is a standard deviation", option="spread", value="std", choices=SPREADS
@@ -96,8 +80,9 @@ def errors_guess(table: Gathered, options: AuditOptions) -> Guess | None:
     """Return the guess that no value is below 0, where a caption or heading calls them errors."""
     if options.errors or options.maximise or options.minimum or options.functions:
         return None
-    values = [e.number.printed.value for e in table.entries if e.statistic in OF_VALUES]
-    if any(value < 0 for value in values):
+    names = {entry.statistic for entry in table.entries if is_of_runs(entry.statistic)}
+    values = {name for name in names if not is_width(name) and name != "sem"}
+    if any(e.number.printed.value < 0 for e in table.entries if e.statistic in values):
         return None
     headings = " ".join(table.words)
     for text, place in ((table.text, "the caption"), (headings, "a heading")):
@@ -115,15 +100,27 @@ def _rounded(table: Gathered, digits: int) -> str:
     return f"whole numbers may be rounded to {digits} digits, as told{beyond}"
 
 
-def _sense(options: AuditOptions, *, maximised: bool) -> Guess:
+def sense_lines(found: Sequence[ReadBlock], options: AuditOptions) -> Iterator[Guess]:
+    """Yield which end of the runs is taken for the best one, and of which problems."""
     if options.maximise is not None:
         sense = "maximisation" if options.maximise else "minimisation"
-        return Guess(says=f"{sense} as told", option="maximise")
-    if maximised:
-        return Guess(
-            says="maximisation? wherever a best stands it is the greater value; --minimise says no",
-            option="maximise",
-            value="yes",
-            choices=("yes", "no"),
+        yield Guess(says=f"{sense} as told", option="maximise")
+        return
+    greatest = [each.block for each in found if each.block.maximise]
+    says = "minimisation"
+    if greatest:
+        says = "maximisation? wherever a best stands it is the greater value; --minimise says no"
+    if 0 < len(greatest) < len(found):
+        others = {each.block.problem_name for each in found if not each.block.maximise}
+        names = dict.fromkeys(
+            f"{block.algorithm} of {block.problem_name}"
+            if block.problem_name in others
+            else block.problem_name
+            for block in greatest
         )
-    return Guess(says="minimisation", option="maximise", value="no", choices=("yes", "no"))
+        of = f"{', '.join(list(names)[:_NAMED])}{', …' * (len(names) > _NAMED)}"
+        says = f"maximisation of {of}? there the best is the greater value; minimisation elsewhere"
+    elif any(each.other for each in found):
+        says = "minimisation, though no best is surely the lower value"
+    value = "yes" if len(greatest) == len(found) > 0 else "no"
+    yield Guess(says=says, option="maximise", value=value, choices=("yes", "no"))

@@ -23,15 +23,18 @@ _PATTERNS = {
     "std": r"st(?:andar)?d?\.?[\s_-]*dev(?:iations?|s|\.)?|std[ae]?v?(?:dev)?\.?|stdv\.?|stdev"
     r"|s\.d\.?|sd|^standard$|st\.?\s?d(?:ev)?\.?|σ|sigma|标准差|均方差|écart[\s-]type"
     r"|desv(?:iación|\.)?(?:\s(?:estándar|típica|est\.?))?"
-    r"|desvio(?:[\s-]padrão)?|standardabweichung|deviazione(?:\sstandard)?|ско|deviation|dev\.?",
-    "median": r"median[aeo]?|med\.?|médiane|中位数|中值|медиана",
+    r"|desvio(?:[\s-]padrão)?|standardabweichung|deviazione(?:\sstandard)?|ско|deviation|dev\.?|標準偏差|표준편차|standart\ssapma|odchylenie(?:\sstandardowe)?|standaardafwijking|standardavvikelse",
+    "median": r"median[aeo]?|med\.?|médiane|中位数|中值|中央値|중앙값|medyan|mediaan|медиана",
     "mean": r"mean|avg?\.?|average[ds]?|ave\.?|media|média|moy(?:enne|\.)?|mittel(?:wert)?|mw|µ|x̄"
-    r"|平均值?|均值|среднее|mean\svalue",
-    "worst": r"worst|peor|pire|schlechteste[rs]?|pior|peggiore|最差值?|最坏值?|худшее|wst\.?",
+    r"|平均[值値]?|均值|평균값?|ortalama|średnia|gemiddelde|medelvärde|среднее|mean\svalue",
+    "worst": r"worst|peor|pire|schlechteste[rs]?|pior|peggiore|最差值?|最坏值?|худшее|wst\.?"
+    r"|最悪値?|최악값?|en\skötü|najgorsz[yae]|slechtste",
     "highest": r"max(?:imum|imal|\.)?|máx(?:imo|\.)?|massimo|最大值?|макс(?:имум|\.)?|highest",
     "best": r"best|mejor|meilleure?|beste[rs]?|bestwert|melhor|migliore|最优值?|最好值?|最佳值?"
+    r"|最良値?|최적값?|en\siyi|najlepsz[yae]"
     r"|лучшее|bst\.?",
     "lowest": r"min(?:imum|imal|\.)?|mín(?:imo|\.)?|minimo|最小值?|мин(?:имум|\.)?|lowest",
+    "iqr": r"iqr|inter[\s-]?quartile(?:\srange)?|rango\sintercuart[ií]lico|四分位距",
     "p-value": r"p[\s-]*val(?:ue|\.)?s?|p",
     "z": r"z[\s-]*(?:val(?:ue|\.)?s?|score)?",
     "h": r"h",
@@ -42,8 +45,8 @@ _PATTERNS = {
     "wins": r"\+/[=≈~]/-|w/[td]/l|wins?/(?:ties?|draws?)/loss(?:es)?|\(?w\|t\|l\)?|\+/-/[=≈~]|w/l/t"
     r"|[=≈]/\+/-|win/tie/loss|b/s/w|better/(?:equal|similar)/worse"
     rf"|^{_COUNT}wins?$",
-    "q1": r"q1|first\squartile|lower\squartile|25\s?%",
-    "q3": r"q3|third\squartile|upper\squartile|75\s?%",
+    "q1": r"q1|first\squartile|lower\squartile|25th\spercentile",
+    "q3": r"q3|third\squartile|upper\squartile|75th\spercentile",
     "time": r"(?:cpu\s|run\s?|elapsed\s|comp(?:utation(?:al)?|uting)?\.?\s)?times?|cpu|runtime"
     r"|耗时|时间|zeit|tiempo",
 }
@@ -105,7 +108,7 @@ _PROBLEM = re.compile(
     r"(?:bench.*|func?t?i?o?n?s?|fun\.?|fn|f|test(?:\s?func.*|\s?prob.*)?|problems?|prob\.?|instances?|no\.?|#"
     r"|fun(?:ci[óo]n(?:es)?|[çc][ãa]o|ktion(?:en)?|zione)|fonctions?|inst[aâ]n(?:cias?|z(?:en?)?)"
     r"|probl[eè]m(?:as?|es?)?|f(?:unc(?:tion)?)?[\s_-]?id|функция|задача"
-    r"|id|case|task|data\s?sets?|name|cec.*|函数|测试函数|dim(?:ensions?|\.)?|d|size|f\s?\(x\)|map|scenario|f#|type)",
+    r"|id|case|task|data\s?sets?|name|cec.*|函数|関数|함수|fonksiyon|funkcja|测试函数|dim(?:ensions?|\.)?|d|size|f\s?\(x\)|map|scenario|f#|type)",
     re.IGNORECASE,
 )
 _ALGORITHM = re.compile(
@@ -144,7 +147,9 @@ def statistics_in(label: str) -> tuple[tuple[str, ...], str]:
         rest = rest[:start] + " " + rest[end:]
     rest = _FILLERS.sub(" ", _UNIT.sub(" ", rest) if found else rest) if found else rest
     rest = _SPACES.sub(" ", rest)
-    return tuple(name for *_, name in sorted(found)), rest.strip(" .,:;_-/|±()[]+=&%\t")
+    return tuple(dict.fromkeys(name for *_, name in sorted(found))), rest.strip(
+        " .,:;_-/|±()[]+=&%\t"
+    )
 
 
 def is_statistic(label: str) -> bool:

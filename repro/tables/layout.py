@@ -4,16 +4,19 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
+from repro.tables.decision_words import is_decision
 from repro.tables.grids import Grid
 from repro.tables.headings import (
     heads_algorithms,
     heads_problems,
+    heads_runs,
     heads_statistics,
     is_statistic,
     statistics_in,
 )
 from repro.tables.markup import plain
 from repro.tables.numbers import NumberForm, is_word, number_form, split_pair
+from repro.tables.shares import quantile_words
 
 _MOST_HEADINGS = 4
 _LONG = 60  # letters of a lone text below the numbers that is a note
@@ -21,10 +24,25 @@ _LONG = 60  # letters of a lone text below the numbers that is a note
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Label:
-    """A text that a cell stands under, and the heading of the column of that text, if any."""
+    """A text that a cell stands under, and the heading of the column of that text, if any.
+
+    `statistic` is what it names only among others: "q1" of 25 %.
+    """
 
     text: str
     heading: str = ""
+    statistic: str = ""
+
+    @property
+    def statistics(self) -> tuple[tuple[str, ...], str]:
+        """The statistics that it names, in its order, and what else it says."""
+        return ((self.statistic,), "") if self.statistic else statistics_in(self.text)
+
+    @property
+    def is_statistic(self) -> bool:
+        """Whether it names statistics and nothing else."""
+        names, rest = self.statistics
+        return bool(names) and not rest
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -50,10 +68,11 @@ class GridCell:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Layout:
-    """The cells of a table, and lone texts that stand below some of them."""
+    """The cells of a table, lone texts that stand below some, and the headings of their labels."""
 
     cells: tuple[GridCell, ...]
     footers: tuple[str, ...]
+    corner: tuple[str, ...] = ()
 
 
 def looks_numeric(text: str) -> bool:
@@ -120,7 +139,9 @@ def _layout(lines: Sequence[Sequence[str]], top: int) -> Layout:
             else:
                 footers.append(filled[0])
             continue
-        if not numbers and not any(looks_numeric(text) for text in line[first:] if text):
+        if not numbers and not any(
+            looks_numeric(text) or is_decision(text, line[0]) for text in line[first:] if text
+        ):
             waiting.append(line)
             continue
         if waiting:
@@ -128,7 +149,11 @@ def _layout(lines: Sequence[Sequence[str]], top: int) -> Layout:
         if first:
             above = [text or old for text, old in zip(line[:first], above, strict=True)]
         cells.extend(_cells(i, line, (group, above, heads)))
-    return Layout(cells=tuple(_of_columns_with_numbers(cells)), footers=tuple(footers))
+    return Layout(
+        cells=tuple(_of_columns_with_numbers(cells)),
+        footers=tuple(footers),
+        corner=tuple(text for texts in heads[:first] for text in texts),
+    )
 
 
 def _cells(
@@ -151,9 +176,10 @@ def _cells(
 
 
 def _of_columns_with_numbers(cells: Sequence[GridCell]) -> list[GridCell]:
-    """Return the cells but for columns of words or of marks alone."""
+    """Return the cells but for columns of words or of marks alone that decide nothing."""
     with_numbers = {cell.j for cell in cells if _was_a_number(cell.text)}
-    return [cell for cell in cells if cell.j in with_numbers]
+    words = {cell.j for cell in cells if not is_decision(cell.text, cell.column_name)}
+    return [cell for cell in cells if cell.j in with_numbers or cell.j not in words]
 
 
 def _was_a_number(text: str) -> bool:
@@ -167,7 +193,8 @@ def _heading_lines(lines: Sequence[Sequence[str]]) -> int:
         rest = [text for text in line[1:] if text]
         numbers = [text for text in rest if looks_numeric(text)]
         sure = [text for text in rest if _was_a_number(text)]
-        if sure and 2 * len(numbers) >= len(rest) and not _is_heading_of_sizes(lines, i):
+        heads = _is_heading_of_sizes(lines, i) or _are_statistics(rest)
+        if sure and 2 * len(numbers) >= len(rest) and not heads:
             return i
     return min(1, len(lines))
 
@@ -181,6 +208,12 @@ def _is_heading_of_sizes(lines: Sequence[Sequence[str]], i: int) -> bool:
     return sum(is_statistic(text) for text in below if text) >= 2 and not any(
         _is_number(text) for text in below[1:]
     )
+
+
+def _are_statistics(texts: Sequence[str]) -> bool:
+    """Say whether all texts are statistics, some of them as shares: mean, std, 0.25, 0.75."""
+    words = quantile_words(texts)
+    return bool(words) and all(text in words or is_statistic(text) for text in texts)
 
 
 def _first_value_column(lines: Sequence[Sequence[str]], top: int) -> int:
@@ -219,7 +252,9 @@ def _holds_labels(
         return True
     if any(is_statistic(text) for text in heading):
         return False
-    if counts or 2 * sum(not looks_numeric(text) for text in texts) > len(texts):
+    if counts or _are_statistics([text for text in texts if not heads_runs(text)]):
+        return True
+    if 2 * sum(not looks_numeric(text) for text in texts) > len(texts):
         return True
     named = any(
         heads_problems(text) or heads_algorithms(text) or heads_statistics(text) for text in heading
@@ -242,4 +277,18 @@ def _heads(lines: Sequence[Sequence[str]], first: int, width: int) -> list[tuple
             if not texts[j] and (lower if is_upper else not any(up[j] for up in lines[:k])):
                 texts[j] = texts[j - 1]
         filled.append(texts)
-    return [tuple(dict.fromkeys(t[j] for t in filled if t[j])) for j in range(width)]
+    heads = [tuple(dict.fromkeys(t[j] for t in filled if t[j])) for j in range(width)]
+    return _with_owners(heads, first)
+
+
+def _with_owners(heads: list[tuple[str, ...]], first: int) -> list[tuple[str, ...]]:
+    """Return the headings; a statistic that stands right of each of several names is theirs.
+
+    As in: F, GWO, rank, PSO, rank.
+    """
+    values = range(first, len(heads))
+    alone = [j for j in values if len(heads[j]) == 1 and is_statistic(heads[j][0])]
+    left = [heads[j - 1] for j in alone if j > first and j - 1 not in alone]
+    if not len({heads[j] for j in alone}) < len(alone) == len(left) == len(set(left)):
+        return heads
+    return [heads[j - 1] + heads[j] if j in alone else heads[j] for j in range(len(heads))]

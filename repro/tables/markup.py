@@ -114,6 +114,7 @@ _WORDS = {
     "nano": "n",
     "equiv": "≈",
 }
+_BARE = re.compile(r"[-+]?[A-Za-z0-9.]+(?:[eE][-+][0-9]+)?")
 _WORD = re.compile(r"\\([a-zA-Z]+) *")
 _ESCAPED = re.compile(r"\\([%$&#_{}])")
 _GAP = re.compile(r"\\[,;:! >]|~|\\ ")
@@ -123,7 +124,7 @@ _RAISED_GROUP = re.compile(r"\^\s*\{\s*([^{}]*?)\s*\}")
 
 def plain(text: str) -> str:
     """Return the text without markup; what is no known markup stays as it is."""
-    if text.isascii() and text.replace(".", "").isalnum():  # most cells have none
+    if _BARE.fullmatch(text):  # most cells have none
         return text
     if "<" in text or "&" in text:
         text = _TAG.sub(" ", _RAISED_TAG.sub(r"^\1", html.unescape(text)))

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
-from repro.tables.arithmetic import joined
+from repro.tables.arithmetic import both, joined
 from repro.tables.blocks import Block
 from repro.tables.rows import AuditRow
 
@@ -55,18 +55,23 @@ def rows_at_any_number(block: Block, rows: Check) -> list[AuditRow]:
         return []
     growing = [row for row in many if row not in always and row.check in GROWING]
     rest = [row for row in many if row not in always and row not in growing]
-    for found in (few, rows(replace(block, n=USUAL)) if rest else ()):
-        places = {(row.check, row.column) for row in found}
-        rest = [row for row in rest if (row.check, row.column) in places]
+    for found in (few, list(rows(replace(block, n=USUAL))) if rest else []):
+        places = {_place(row): row.condition for row in found}
+        rest = [
+            replace(row, condition=both(row.condition, places[_place(row)]))
+            for row in rest
+            if _place(row) in places
+        ]
     upto = f"the number of runs is at most {TRIED[-1]}"
     return [
-        *(
-            replace(row, condition=joined(dict.fromkeys((row.condition, same[_key(row)]))))
-            for row in always
-        ),
+        *(replace(row, condition=both(row.condition, same[_key(row)])) for row in always),
         *(replace(row, condition=joined((row.condition, upto))) for row in growing),
         *(replace(row, condition=joined((row.condition, ONE_OF_THESE))) for row in rest),
     ]
+
+
+def _place(row: AuditRow) -> tuple[str, str | None]:
+    return row.check, row.column
 
 
 def _key(row: AuditRow) -> tuple[str, str | None, str]:

@@ -7,14 +7,16 @@ from fractions import Fraction
 
 from repro.tables.arithmetic import joined
 from repro.tables.audit_options import AuditOptions
-from repro.tables.blocks import Block
 from repro.tables.facts import Decision, Fact, Success, WinsAndLosses
-from repro.tables.gathered import OF_RUNS, VALUE, Entry, Gathered
+from repro.tables.gathered import VALUE, Entry, Gathered
 from repro.tables.levels import Level
+from repro.tables.named_cells import is_of_runs
 from repro.tables.numbers import NumberForm, number_form
+from repro.tables.read_blocks import ReadBlock
 from repro.tables.read_ranks import rankings_of
 from repro.tables.read_tests import decisions_of
 from repro.tables.relations import Cell
+from repro.tables.senses import LEAST_IS_BEST
 from repro.tables.true_numbers import exact
 
 TALLY = ("wins", "ties", "losses")
@@ -32,7 +34,7 @@ _THRESHOLD = re.compile(
     r"([0-9][0-9.]*(?:\s?[eE]\s?[-+−]?[0-9]+|\s?[×x·]\s?10\s?\^?\s?[-+−]?[0-9]+|\^[-−]?[0-9]+)?)",
     re.IGNORECASE,
 )
-Blocks = Mapping[tuple[str, str], Block]  # by problem and algorithm
+Blocks = Mapping[tuple[str, str], ReadBlock]  # by problem and algorithm
 
 
 def facts_of(
@@ -42,7 +44,6 @@ def facts_of(
     *,
     runs: int | None,
     level: Level,
-    maximised: bool,
 ) -> tuple[Fact, ...]:
     """Return the tallies, rankings, tests and success rates that a table prints."""
     by_statistic: dict[str, list[Entry]] = defaultdict(list)
@@ -50,7 +51,7 @@ def facts_of(
         by_statistic[entry.statistic].append(entry)
     return (
         *_tallies(table, by_statistic),
-        *rankings_of(table, options, maximised=maximised),
+        *rankings_of(table, options),
         *decisions_of(by_statistic, options, level, runs),
         *_successes(table, by_statistic["success rate"], blocks, runs, errors=options.errors),
     )
@@ -81,25 +82,33 @@ def _tallies(table: Gathered, found: Mapping[str, Sequence[Entry]]) -> Iterator[
             parts[key][name] = entry.number
     parts = {key: cells for key, cells in parts.items() if {"wins", "losses"} <= cells.keys()}
     sums = [sum(int(cell.printed.value) for cell in cells.values()) for cells in parts.values()]
+    problems, is_told = _problems(table, sums)
     for cells in parts.values():
         yield WinsAndLosses(
             wins=cells.get("wins"),
             ties=cells.get("ties"),
             losses=cells.get("losses"),
-            problems=_problems(table, sums),
+            problems=problems,
+            is_told=is_told,
         )
 
 
-def _problems(table: Gathered, sums: Sequence[int]) -> int | None:
+def _problems(table: Gathered, sums: Sequence[int]) -> tuple[int | None, bool]:
     """Return the number of problems that a caption tells, or else that the table has lines of.
 
-    A table of a few lines may be a part of one: then some tally must agree with them.
+    A table of a few lines may be a part of one: then some tally must agree with them, which tells
+    their number as a caption does.
     """
     told = {int(count) for count in _PROBLEMS.findall(table.text)}
     if told:
-        return told.pop() if len(told) == 1 else None
-    named = {e.problem for e in table.entries if e.statistic in {*OF_RUNS, VALUE} and e.problem}
-    return len(named) if len(named) >= _WHOLE_TABLE or len(named) in sums else None
+        return (told.pop() if len(told) == 1 else None), True
+    named = {
+        e.problem
+        for e in table.entries
+        if (is_of_runs(e.statistic) or e.statistic == VALUE) and e.problem
+    }
+    agrees = len(named) in sums
+    return (len(named) if len(named) >= _WHOLE_TABLE or agrees else None), agrees
 
 
 def _successes(
@@ -127,11 +136,14 @@ def _successes(
         needs = [f"the number of runs is at most {_NO_OTHER}"] if runs is None else []
         if not errors and not _ERRORS.search(text) and threshold is not None:
             needs.append("success is told by the values that are printed")
+        own = blocks.get((entry.problem or entry.algorithm, entry.algorithm))
+        if own and own.other and threshold is not None:
+            needs.append(LEAST_IS_BEST)
         yield Success(
             rate=entry.number,
             runs=runs or _NO_OTHER,
             threshold=threshold,
-            block=blocks.get((entry.problem or entry.algorithm, entry.algorithm)),
+            block=own.block if own else None,
             is_told=runs is not None,
             condition=joined(needs),
         )

@@ -34,10 +34,12 @@ class _Printed:
 def with_ranks(table: Gathered, name: str = "") -> Gathered:
     """Return the table; whole numbers under a title of ranks, with no other heading, are ranks.
 
-    So are those of a file of that name.
+    So are those of a file of that name, and those above a line of their sums or means.
     """
-    beside = {entry.statistic for entry in table.entries} - {VALUE, "mean", "total rank"}
-    if beside or not _TITLE.search(f"{table.text} {name.replace('_', ' ')}"):
+    statistics = {entry.statistic for entry in table.entries}
+    totals = statistics & {"total rank", "average rank"}
+    titled = _TITLE.search(f"{table.text} {name.replace('_', ' ')}")
+    if statistics - {VALUE, "mean", *totals} or not (titled or totals):
         return table
     count = len({entry.algorithm for entry in table.entries})
     entries = tuple(_as_rank(entry) for entry in table.entries)
@@ -48,7 +50,8 @@ def with_ranks(table: Gathered, name: str = "") -> Gathered:
     ]
     if not ranks or any(not 1 <= rank <= count or (2 * rank) % 1 for rank in ranks):
         return table
-    notes = (*table.notes, "numbers under a title of ranks are taken for ranks")
+    under = "under a title" if titled else "above a line"
+    notes = (*table.notes, f"numbers {under} of ranks are taken for ranks")
     return replace(table, entries=entries, notes=notes)
 
 
@@ -57,7 +60,7 @@ def _as_rank(entry: Entry) -> Entry:
     return replace(entry, statistic=names.get(entry.statistic, entry.statistic))
 
 
-def rankings_of(table: Gathered, options: AuditOptions, *, maximised: bool) -> Iterator[RankedRows]:
+def rankings_of(table: Gathered, options: AuditOptions) -> Iterator[RankedRows]:
     """Yield the ranks of each quantity in the reading that contradicts least.
 
     What rows are ranked by, in which sense, and whether a line over all of them holds sums, means
@@ -76,7 +79,7 @@ def rankings_of(table: Gathered, options: AuditOptions, *, maximised: bool) -> I
         names = set(next(iter(printed.ranks.values()), {}))
         if len(names) < 2 or any(set(row) != names for row in printed.ranks.values()):
             continue
-        senses = (maximised,) if options.maximise is not None else (False, True)
+        senses = (False, True) if options.maximise is None else (options.maximise,)
         readings = [
             RankedRows(
                 values=values,

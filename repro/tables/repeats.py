@@ -30,10 +30,11 @@ def repeat_rows(paper: str, blocks: Sequence[Block]) -> Iterator[AuditRow]:
                 size = (block.quantity, len(_telling(printed)), decade)
                 alike[size].append((block, name))
                 equal[size, printed.value].append((block, name))
+    pairs_of = {size: _pairs(entries) for size, entries in alike.items()}
     for (size, _), same in equal.items():
-        pairs = _pairs(alike[size])
+        pairs = pairs_of[size]
         chance = pairs / (9 * 10 ** (size[1] - 1))
-        if _pairs(same) and chance < CHANCE and not _is_one_optimum(same):
+        if chance < CHANCE and _pairs(same) and not _is_one_optimum(same):
             yield _equal_cells(paper, same, pairs=pairs, chance=chance)
     yield from _equal_digits(paper, blocks)
 
@@ -46,6 +47,8 @@ def _is_one_optimum(same: Sequence[Entry]) -> bool:
 
 def _pairs(entries: Sequence[Entry]) -> int:
     """Return how many pairs of different blocks the entries form."""
+    if len(entries) < 2:
+        return 0
     same = Counter(id(block) for block, _ in entries).values()
     return math.comb(len(entries), 2) - sum(math.comb(times, 2) for times in same)
 

@@ -5,6 +5,7 @@ import re
 from fractions import Fraction
 
 SPREADS = ("std", "variance", "standard error")  # all of them say the standard deviation
+RANGE = "iqr"
 _QUARTERS = {"q1": Fraction(1, 4), "q2": Fraction(1, 2), "median": Fraction(1, 2)} | {
     "q3": Fraction(3, 4)
 }
@@ -18,6 +19,16 @@ def quantile_share(word: str) -> Fraction | None:
         return _QUARTERS[name]
     match = _PERCENT.fullmatch(name)
     return Fraction(match[1]) / 100 if match else None
+
+
+def is_range(word: str) -> bool:
+    """Say whether a statistic is an interquartile range, of whichever definition."""
+    return word.partition(" by ")[0] == RANGE
+
+
+def is_width(word: str) -> bool:
+    """Say whether a statistic says how far runs lie apart, and so is no value among theirs."""
+    return word in SPREADS or is_range(word)
 
 
 def runs_around(word: str, n: int) -> tuple[int, int]:

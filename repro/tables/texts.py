@@ -14,7 +14,7 @@ Form = Literal["separated", "markdown", "latex", "html", "pasted"]
 _LATEX = re.compile(r"\\begin\s*\{(?:tabular|longtable|tabu|array|NiceTabular|tblr)|&[^\n]*\\\\")
 _LATEX_BEGIN = re.compile(r"\\begin\s*\{(?:tabular|longtable)")
 _HTML = re.compile(r"<(?:table|tr|td)\b", re.IGNORECASE)
-_SEPARATED = re.compile(r"[^\s,;\t][^,;\t\n]*[,;\t]")
+_SEPARATED = re.compile(r"(?:^|[^\s,;\t][^,;\t\n]*)[,;\t]")
 
 
 def tables_in(text: str, form: Form | None = None) -> list[Grid]:

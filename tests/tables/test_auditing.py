@@ -111,11 +111,13 @@ def test_without_n_what_holds_for_some_numbers_of_runs_says_for_which() -> None:
 
 
 def test_equal_numbers_of_unequal_digits_do_not_say_which_sense_is_better() -> None:
-    lines = ("F1,0.001443,0.00144290,0.001442,0", "F2,190,186.73,186.731,0")
+    lines = ("F1,0.001443,0.00144290,0.0014429,0", "F2,190,186.73,186.731,0")
     (found,) = audit_text("\n".join(["F,Best,Mean,Worst,Std", *lines]), AuditOptions(runs=30))
 
     assert found.proofs == ()
-    assert "minimisation" in [guess.says for guess in found.guesses]
+    assert "minimisation, though no best is surely the lower value" in [
+        guess.says for guess in found.guesses
+    ]
 
 
 def test_numbers_apart_by_little_or_from_a_bare_zero_say_which_sense_is_better() -> None:
@@ -138,4 +140,6 @@ def test_of_equal_floats_alone_a_mean_below_the_best_does_not_mean_maximisation(
     text = "F,Best,Mean,Worst\nF1,2.7846096e-7,2.7846093e-7,2.7846096e-7\n"
     (found,) = audit_text(text, AuditOptions(runs=43))
 
-    assert "minimisation" in [guess.says for guess in found.guesses]
+    assert "minimisation, though no best is surely the lower value" in [
+        guess.says for guess in found.guesses
+    ]

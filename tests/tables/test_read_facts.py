@@ -3,6 +3,7 @@ import pytest
 from repro.tables.audit_options import AuditOptions
 from repro.tables.audit_words import paragraph
 from repro.tables.auditing import AuditedTable, audit_text
+from repro.tables.counts import ALL_COUNTED, ALL_SHOWN, ONCE
 
 TALLIES = """
 Results on 26 functions
@@ -122,3 +123,49 @@ def test_a_threshold_of_errors_is_held_against_values_under_a_condition() -> Non
     (row,) = audited(RATES, mean="400.1", rate="34").rows
 
     assert row.condition == "success is told by the values that are printed"
+
+
+LINES = "\n".join(f"F{k},1.5,2.5" for k in range(1, 6))
+
+
+@pytest.mark.parametrize(
+    ("text", "condition"),
+    [
+        ("on 26 functions\nIndex,GWO\n+/=/-,17/2/9\n", None),
+        ("on 26 functions\nIndex,GWO\n+/=/-,17/2/6\n", ALL_COUNTED),
+        ("on 26 functions\nIndex,GWO\n+/=/-,40/6/6\n", ONCE),
+        (f"Function,GWO,PSO\n{LINES}\n+/=/-,3/1/2,3/1/2\n", ALL_SHOWN),
+        (f"Function,GWO,PSO\n{LINES}\n+/=/-,3/1/0,3/1/0\n", ALL_SHOWN),
+        (f"Function,GWO,PSO\n{LINES}\n+/=/-,3/1/1,3/1/2\n", None),  # the other one agrees
+        (f"Function,GWO,PSO\n{LINES}\n+/=/-,3/1/1,3/1/0\n", ALL_COUNTED),
+    ],
+)
+def test_a_tally_of_other_than_all_problems_says_what_it_would_be_wrong_under(
+    text: str, condition: str | None
+) -> None:
+    (table,) = audit_text(text, AuditOptions())
+
+    assert {(row.check, row.condition) for row in table.rows} == {("tally", condition)}
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Results on 26 functions\n,GWO vs PSO\n+/=/-,17/2/9\n",
+        "Comparison of 26 problems\nAlgorithm,Better,Equal,Worse\nDE,17,2,9\nPSO,17,2,7\n",
+        "Summary for 26 functions\nVs,W,T,L\nDE,17,2,9\nPSO,17,2,7\n",
+        "Summary for 26 functions\nVs,+,≈,−\nDE,17,2,9\nPSO,17,2,7\n",
+        "Summary for 26 functions\nOutcome,DE,PSO\nWins,17,17\nTies,2,2\nLosses,9,7\n",
+        "| CEC (26 functions) | PSO | DE |\n|---|---|---|\n| w/t/l | 17/2/7 | 17/2/9 |\n",
+    ],
+)
+def test_tallies_are_counted_wherever_they_and_the_number_of_problems_stand(text: str) -> None:
+    (table,) = audit_text(text, AuditOptions())
+
+    assert [row.explanation for row in table.rows] == ["17 + 2 + 9 = 28, for 26 problems"]
+
+
+def test_a_width_and_a_length_are_no_tally() -> None:
+    (table,) = audit_text("Design,W,L\nGWO,1.5,2.5\nPSO,1.6,2.6\n", AuditOptions())
+
+    assert (table.rows, table.checked) == ((), 0)

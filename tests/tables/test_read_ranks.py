@@ -150,3 +150,22 @@ def test_places_may_share_the_last_or_the_mean_of_them() -> None:
 
     assert said(audited(last)) == said(audited(mean)) == []
     assert len(said(audited(last.replace("2,2,3", "3,2,2")))) == 1
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "F,A,B,C\nF1,1,2,3\nF2,1,2,3\nF3,2,1,3\nF4,3,1,2\nSum of ranks,7,6,{}\n",
+        (
+            "F,A,rank,B,rank,C,rank\nF1,.1,1,.2,2,.3,3\nF2,.1,1,.2,2,.3,3\nF3,.2,2,.1,1,.3,3\n"
+            "F4,.3,3,.1,1,.2,2\nTotal rank,,7,,6,,{}\n"
+        ),
+    ],
+)
+def test_sums_of_ranks_are_exact_wherever_the_ranks_stand(text: str) -> None:
+    (right,) = audit_text(text.format(11), AuditOptions())
+    (wrong,) = audit_text(text.format(12), AuditOptions())
+
+    assert (right.rows, right.checked) == ((), right.cells)
+    assert ["printed is 12" in row.explanation for row in wrong.rows] == [True]
+    assert not any("not checked" in guess.says for guess in right.guesses)

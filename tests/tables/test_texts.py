@@ -233,3 +233,36 @@ def test_a_sign_that_was_lost_in_copying_is_said() -> None:
     form = number_form("6.59E(cid:4)28")
 
     assert form == NoNumber("a sign was lost in copying, most likely a minus")
+
+
+@pytest.mark.parametrize(
+    "headings",
+    [
+        "関数,最良値,平均値,最悪値,標準偏差",
+        "함수,최적값,평균,최악값,표준편차",
+        "Fonksiyon,En iyi,Ortalama,En kötü,Standart sapma",
+        "Funkcja,Najlepszy,Średnia,Najgorszy,Odchylenie standardowe",
+        "Funzione,Migliore,Media,Peggiore,Dev. std",
+        "Functie,Beste,Gemiddelde,Slechtste,Standaardafwijking",
+    ],
+)
+def test_headings_of_more_languages_name_the_same_statistics(headings: str) -> None:
+    (table,) = audit_text(f"{headings}\nF1,1.5,9.5,3.5,0.5\n", AuditOptions(runs=30))
+
+    assert (table.blocks, table.checked) == (1, 4)
+    assert [row.check for row in table.proofs] == ["mean-bound"]
+
+
+def test_a_title_with_commas_above_separated_lines_is_the_caption() -> None:
+    text = "Error values, 51 runs\nF,GWO mean,GWO std\nF1,1.2E+02,9.9E+04\n"
+    (table,) = audit_text(text, AuditOptions(), form="separated")
+
+    assert (table.label, table.runs) == ("Error values, 51 runs", 51)
+    assert [row.condition for row in table.rows] == ["no value is below 0"]
+
+
+def test_a_short_line_of_headings_is_no_title() -> None:
+    text = "Test function,GWO\n,Best,Mean,Worst\nF1,1.5,9.5,3.5\n"
+    (table,) = audit_text(text, AuditOptions(runs=30), form="separated")
+
+    assert [row.check for row in table.proofs] == ["mean-bound"]

@@ -7,6 +7,7 @@ import numpy as np
 from scipy import stats
 
 from repro.tables.audit_options import AuditOptions
+from repro.tables.counts import ALL_COUNTED, ALL_SHOWN
 from repro.tables.decisions import NORMAL
 from repro.tables.facts import Decision, WinsAndLosses
 from repro.tables.printed import Printed
@@ -20,6 +21,7 @@ TIES: tuple[Literal["average", "min", "max", "dense", "ordinal"], ...] = (
 )
 METHODS = ("GWO", "PSO", "DE", "WOA", "SSA", "ABC")
 THRESHOLDS = (1e-4, 0.1, 1e-8, 100.0, 0.3, 1.0, 5e-3)
+DECISIONS = (("0", "1"), ("False", "True"), ("no", "yes"), ("not rejected", "rejected"))
 LEVELS = (0.05, 0.05, 0.01, 0.1)
 
 
@@ -108,7 +110,8 @@ def test_table(rng: Generator) -> TrueTable:
     digits, how = int(rng.integers(2, 7)), "scientific" if rng.random() < 0.6 else "fixed"
     lines = [["Function", "p-value", *columns]]
     corrected, marks = rng.random() < 0.5, rng.random() < 0.3 and "h" not in columns
-    exact = "z" not in columns and rng.random() < 0.3
+    words = DECISIONS[int(rng.integers(len(DECISIONS)))]
+    exact = rng.random() < 0.3  # z beside it is that of the normal approximation
     for k in range(1, int(rng.integers(2, 6))):
         one, other = runs_of(rng, n, "errors"), runs_of(rng, n, "errors")
         if rng.random() < 0.5:
@@ -119,7 +122,7 @@ def test_table(rng: Generator) -> TrueTable:
         effect = z / math.sqrt(n if rng.random() < 0.5 else 2 * n)
         beside = {
             "z": printed(z, how, digits),
-            "h": str(int(p < alpha)),
+            "h": words[p < alpha],
             "r": f"{abs(effect):.{digits}f}",
         }
         mark = ("+" if p < alpha else "=") if marks else ""
@@ -167,18 +170,34 @@ def _exact_p(one: Vector, other: Vector, test: str, sides: int) -> float:
 
 
 def tally_table(rng: Generator) -> TrueTable:
-    """Return counts of wins, ties and losses against rivals, of all problems or by the lines."""
+    """Return counts of wins, ties and losses against rivals, of all problems or of a part."""
     rivals, problems = METHODS[: int(rng.integers(1, 6))], int(rng.integers(5, 31))
-    counts = [rng.multinomial(problems, rng.dirichlet((1, 1, 1))).tolist() for _ in rivals]
-    if rng.random() < 0.5:
+    title = f"Results on {problems} functions"
+    broken = frozenset[str]()
+    counted = problems
+    if rng.random() < 0.3:  # those of one group, say
+        counted, broken = int(rng.integers(1, problems + 1)), frozenset({ALL_COUNTED})
+    counts = [rng.multinomial(counted, rng.dirichlet((1, 1, 1))).tolist() for _ in rivals]
+    kind = rng.random()
+    if kind < 0.4:
         lines = [["Algorithm", "Wins", "Ties", "Losses"]]
         lines += [[name, *map(str, own)] for name, own in zip(rivals, counts, strict=True)]
-    else:
+    elif kind < 0.8:
         lines = [["Index", *rivals], ["+/=/-", *("/".join(map(str, own)) for own in counts)]]
         lines.append(["Mean", *(f"{v:.3e}" for v in rng.lognormal(0, 1, len(rivals)))])
-    title = f"Results on {problems} functions"
+    else:  # below the lines of some problems, of which it may count others
+        shown = counted if rng.random() < 0.5 else int(rng.integers(2, 31))
+        values = rng.lognormal(0, 1, (shown, len(rivals))).tolist()
+        lines = [["Function", *rivals]]
+        lines += [[f"F{k}", *(f"{v:.3e}" for v in row)] for k, row in enumerate(values, 1)]
+        lines.append(["+/=/-", *("/".join(map(str, own)) for own in counts)])
+        title, broken = "Means", frozenset({ALL_SHOWN})
     return TrueTable(
-        made="tally", text=written(rng, title, lines), options=AuditOptions(), facts=_sign_test(rng)
+        made=f"tally of {counted} of {problems}",
+        text=written(rng, title, lines),
+        options=AuditOptions(),
+        broken=broken,
+        facts=_sign_test(rng),
     )
 
 

@@ -18,7 +18,11 @@ from tests.true_tables.written import TrueTable, written
 
 METHODS = ("GWO", "PSO", "DE")
 ENDS = {"best": "Best", "worst": "Worst", "lowest": "Min", "highest": "Max"}
-WORDS = ENDS | {"mean": "Mean", "median": "Median", "q1": "Q1", "q3": "Q3", "std": "Std"}
+WORDS = (
+    ENDS
+    | {"mean": "Mean", "median": "Median", "q1": "Q1", "q3": "Q3", "std": "Std"}
+    | {"iqr": "IQR"}
+)
 SPREAD_WORDS = {"std": "Std", "variance": "Variance", "sem": "SEM"}
 FORMS_OF_N = ("{n} independent runs", "n = {n}", "runs: {n}", "over {n} trials")
 NOT_TOLD = 0.01  # tables without a number of runs, each of which is tried with many numbers
@@ -89,7 +93,8 @@ def drawn_setting(rng: Generator, domain: str) -> Setting:
     shares = (0.8, 0.95, 0.4, 0.15, 0.15, 0.8)
     kept = [name for name, share in zip(able, shares, strict=True) if rng.random() < share]
     spread = ("std", "std", "std", "variance", "sem")[int(rng.integers(5))]
-    names = (*(kept or ["mean"]), *([spread] if rng.random() < 0.9 else []))
+    spreads = [spread] if rng.random() < 0.9 else []
+    names = (*(kept or ["mean"]), *spreads, *(["iqr"] if rng.random() < 0.1 else []))
     title = FORMS_OF_N[int(rng.integers(len(FORMS_OF_N)))].format(n=n)
     setting = Setting(n=n, names=names, pipeline=pipeline, domain=domain, options={}, title=title)
     return _told(rng, setting)
@@ -98,12 +103,12 @@ def drawn_setting(rng: Generator, domain: str) -> Setting:
 def _told(rng: Generator, setting: Setting) -> Setting:
     """Return the setting with what is told of it, by options or in the title."""
     options: dict[str, Any] = {}
-    title, pipeline, names = setting.title, setting.pipeline, set(setting.names)
+    title, pipeline = setting.title, setting.pipeline
     if rng.random() < 0.5:
         options["runs"], title = setting.n, "Results"
     elif rng.random() < 2 * NOT_TOLD:
         title = "Results"
-    if pipeline.maximise and (rng.random() < 0.5 or not names >= {"best", "worst", "mean"}):
+    if pipeline.maximise and rng.random() < 0.5:
         options["maximise"] = True
     if setting.domain == "errors":
         if rng.random() < 0.5:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from repro.tables.arithmetic import CONDITIONS
 from repro.tables.order import ONE_DEFINITION
+from repro.tables.senses import LEAST_IS_BEST
 from tests.true_tables.samples import Generator, Vector
 
 PRECISIONS = ("single", "double", "runs in single")
@@ -55,7 +56,8 @@ class Pipeline:
             found.append("two_pass")
         if self.prints in {"four digits of R", "significant"}:
             found.append("whole")
-        return frozenset((*(CONDITIONS[name] for name in found), ONE_DEFINITION))
+        sense = (LEAST_IS_BEST,) if self.maximise else ()
+        return frozenset((*(CONDITIONS[name] for name in found), *sense, ONE_DEFINITION))
 
     @property
     def words(self) -> str:
@@ -102,9 +104,9 @@ def statistics_of(runs: Vector, pipeline: Pipeline, names: tuple[str, ...]) -> d
             found |= _spreads(kept, mean, pipeline)
         if "median" in names:
             found["median"] = _median(np.sort(kept), pipeline.middle)
-        if not {"q1", "q3"}.isdisjoint(names):
+        if not {"q1", "q3", "iqr"}.isdisjoint(names):
             ends = np.percentile(kept, [25, 75], method=pipeline.quantiles)
-            found |= {"q1": ends[0], "q3": ends[1]}
+            found |= {"q1": ends[0], "q3": ends[1], "iqr": ends[1] - ends[0]}
     found["best"], found["worst"] = (
         (found["highest"], found["lowest"])
         if pipeline.maximise
