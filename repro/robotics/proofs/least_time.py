@@ -9,7 +9,7 @@ from repro.robotics.fixed_penalties import Cheapest, cheapest
 from repro.robotics.path_fitting import PathFitting
 from repro.robotics.proofs.limit_rows import Cut
 from repro.robotics.proofs.proved import LeastTime, box_in_words, closed, gap
-from repro.robotics.proofs.rest_to_rest_minimum import UNITS, rest_to_rest
+from repro.robotics.proofs.rest_to_rest_minimum import PER, rest_to_rest
 from repro.robotics.proofs.spline_minimum import SplineProof, prove, prove_within
 from repro.robotics.proofs.watch import Watch
 from repro.robotics.rest_to_rest import MinimumTime
@@ -30,18 +30,25 @@ BRANCH_AND_BOUND = (
 )
 
 
-def least_time(problem: MinimumTime | MinimumTimeSpline, watch: Watch | None = None) -> LeastTime:
+def least_time(
+    problem: MinimumTime | MinimumTimeSpline,
+    watch: Watch | None = None,
+    *,
+    units: Sequence[str] | None = None,
+) -> LeastTime:
     """Return the least time of every motion that obeys, as far as it can be proved.
 
-    With a watch, as far as it can be proved until that is over.
+    With a watch, as far as it can be proved until that is over. `units` of the joints stand in its
+    words, rad where none are given.
     """
+    units = ("rad",) * len(problem.velocity) if units is None else units
     if isinstance(problem, MinimumTimeSpline):
-        return _spline(problem, watch)
+        return _spline(problem, watch, units)
     if problem.handling == "fixed penalties":
         least = cheapest(problem)
         if least.broken:
             return _better_off_breaking(problem, least)
-    return rest_to_rest(problem)
+    return rest_to_rest(problem, units)
 
 
 def least_norms(fits: Sequence[PathFitting]) -> LeastTime:
@@ -95,7 +102,7 @@ def _better_off_breaking(problem: MinimumTime, least: Cheapest) -> LeastTime:
     )
 
 
-def _spline(problem: MinimumTimeSpline, watch: Watch | None) -> LeastTime:
+def _spline(problem: MinimumTimeSpline, watch: Watch | None, units: Sequence[str]) -> LeastTime:
     try:
         proof = prove(problem) if watch is None else prove_within(problem, watch)
     except NotProvedError as error:
@@ -119,7 +126,7 @@ def _spline(problem: MinimumTimeSpline, watch: Watch | None) -> LeastTime:
         attained=attained,
         method=BRANCH_AND_BOUND.format(boxes=proof.boxes) if proof.boxes else LINEAR_PROGRAMME,
         at=tuple(map(float, proof.durations)),
-        binding=(*_at_the_ends(problem, proof), *_holding(problem, proof)),
+        binding=(*_at_the_ends(problem, proof), *_holding(problem, proof, units)),
         box=problem.durations,
         explanation=_explanation(problem, proof, lower, attained),
     )
@@ -163,11 +170,13 @@ def _at_the_ends(problem: MinimumTimeSpline, proof: SplineProof) -> tuple[str, .
     )
 
 
-def _holding(problem: MinimumTimeSpline, proof: SplineProof) -> tuple[str, ...]:
+def _holding(
+    problem: MinimumTimeSpline, proof: SplineProof, units: Sequence[str]
+) -> tuple[str, ...]:
     # u that differ by less than is shown are one place
     places = (
         f"segment {limit.span + 1}, at u = {float(limit.u):.3g}: {kind} of joint "
-        f"{limit.joint + 1} (limit {limits[limit.joint]:g} {UNITS[kind]})"
+        f"{limit.joint + 1} (limit {limits[limit.joint]:g} {units[limit.joint]}{PER[kind]})"
         for limit in sorted(proof.holding, key=lambda limit: (limit.span, limit.u))
         for kind, limits in [
             ("velocity", problem.velocity)

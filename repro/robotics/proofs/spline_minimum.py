@@ -26,7 +26,7 @@ from scipy.optimize import linprog
 
 from repro.errors import NotProvedError
 from repro.robotics.proofs.branch_and_bound import least_total
-from repro.robotics.proofs.descent import just_obeying, starts
+from repro.robotics.proofs.descent import descended, just_obeying, starts
 from repro.robotics.proofs.limit_pool import Limits
 from repro.robotics.proofs.limit_rows import Bend, Cut, Exact, Rationals, cut, dot, exact
 from repro.robotics.proofs.linear_programmes import TOLERANCES, weighed
@@ -71,19 +71,8 @@ def prove(problem: MinimumTimeSpline) -> SplineProof:
 
 def prove_within(problem: MinimumTimeSpline, watch: Watch) -> SplineProof:
     """Return as much of the proof as there is time for."""
-    if problem.time_ends == "still":
-        raise NotProvedError(_STILL)
-    unit = 2.0 ** round(math.log2(_roughly(problem)))
-    shortest, longest = problem.durations
-    found = _in_unit(
-        replace(
-            problem,
-            velocity=tuple(limit * unit for limit in problem.velocity),
-            acceleration=tuple(limit * unit * unit for limit in problem.acceleration),
-            durations=(shortest / unit, longest / unit),
-        ),
-        watch.scaled(unit),
-    )
+    unit, scaled = _scaled(problem)
+    found = _in_unit(scaled, watch.scaled(unit))
     scale = Fraction(unit)
     bound = found.lower_bound
     return replace(
@@ -91,6 +80,30 @@ def prove_within(problem: MinimumTimeSpline, watch: Watch) -> SplineProof:
         lower_bound=bound * scale if isinstance(bound, Fraction) else bound,
         durations=tuple(duration * scale for duration in found.durations),
         holding=tuple(_in_seconds(limit, scale) for limit in found.holding),
+    )
+
+
+def fastest_found(problem: MinimumTimeSpline, watch: Watch) -> float | None:
+    """Return the time of the fastest motion that is found, in s, without a proof of a bound."""
+    unit, scaled = _scaled(problem)
+    model = exact(scaled)
+    cuts, optimum, _ = _optimum(scaled, model, watch)
+    limits = Limits(model, cuts)
+    tried = [descended(scaled, limits, start, watch)[0] for start in starts(scaled, optimum)]
+    return min((unit * float(motion.sum()) for motion in tried), default=None)
+
+
+def _scaled(problem: MinimumTimeSpline) -> tuple[float, MinimumTimeSpline]:
+    """Return a unit of time in s, and the problem in it."""
+    if problem.time_ends == "still":
+        raise NotProvedError(_STILL)
+    unit = 2.0 ** round(math.log2(_roughly(problem)))
+    shortest, longest = problem.durations
+    return unit, replace(
+        problem,
+        velocity=tuple(limit * unit for limit in problem.velocity),
+        acceleration=tuple(limit * unit * unit for limit in problem.acceleration),
+        durations=(shortest / unit, longest / unit),
     )
 
 
