@@ -118,7 +118,7 @@ def losses(problem: OwnMotion, found: Certificate, watch: Watch) -> tuple[Loss, 
         if watch.over:
             break
         kind = KINDS[m + 1]
-        if getattr(problem, kind) is None or not _binds(found, kind, joint):
+        if getattr(problem, kind, None) is None or not _binds(found, kind, joint):
             continue
         time = _time_without(problem, kind, joint, watch)
         loss = found.attained - time if time is not None else 0.0

@@ -8,6 +8,7 @@ between segments the motion rests.
 """
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
@@ -19,10 +20,12 @@ from numpy.typing import NDArray
 from repro.errors import DeclarationError
 from repro.robotics.bsplines import solve
 from repro.robotics.motion_checks import Rows, check_motion, checked_durations, numbers, rows
-from repro.robotics.polynomials import RestToRestLaw
+from repro.robotics.polynomials import RestToRestLaw, bernstein
 
 Vector = NDArray[np.float64]
 Rationals = tuple[Fraction, ...]
+ROOTS = 12  # coefficients of which a polynomial's roots are found to the last digits
+FINE, ZOOMS = 100, 4  # samples of a polynomial of more, and how often its extremes are approached
 KINDS = {0: "range", 1: "velocity", 2: "acceleration", 3: "jerk"}
 
 
@@ -171,15 +174,43 @@ def extremes(
     still, moving = problem.curve(segment, joint)
     exactly = Fraction(time)
     curve = [
-        float((a + exactly * b) / exactly**derivative)
+        (a + exactly * b) / exactly**derivative
         for a, b in zip(derived(still, derivative), derived(moving, derivative), strict=True)
     ]
-    slope = np.polynomial.Polynomial(curve).deriv()
-    turns = slope.trim().roots().real if slope.trim().degree() > 0 else np.zeros(0)
-    places = np.concatenate([[0.0, 1.0], turns[(turns > 0.0) & (turns < 1.0)]])
-    values = np.polynomial.polynomial.polyval(places, curve)
+    coefficients = _bernstein(curve)
+    places = _turns(curve, coefficients)
+    values = at_shares(coefficients, places)
     low, high = int(values.argmin()), int(values.argmax())
     return float(values[low]), float(values[high]), float(places[low]), float(places[high])
+
+
+def _bernstein(curve: Sequence[Fraction]) -> Vector:
+    """Return Bernstein coefficients, from which doubles lose nothing at any degree."""
+    return np.array(bernstein(curve), dtype=np.float64)
+
+
+def at_shares(coefficients: Vector, share: Vector) -> Vector:
+    """Return the values at `share` (k,) of a polynomial on [0, 1], by de Casteljau's scheme."""
+    rest = np.tile(coefficients[:, None], len(share))
+    while len(rest) > 1:
+        rest = rest[:-1] * (1.0 - share) + rest[1:] * share
+    return np.asarray(rest[0])
+
+
+def _turns(curve: Sequence[Fraction], coefficients: Vector) -> Vector:
+    """Return both ends and where the curve turns: by roots, or of a high degree as sampled."""
+    ends = np.array([0.0, 1.0])
+    if len(curve) <= ROOTS:
+        slope = np.polynomial.Polynomial([float(entry) for entry in curve]).deriv().trim()
+        turns = slope.roots().real if slope.degree() > 0 else np.zeros(0)
+        return np.concatenate([ends, turns[(turns > 0.0) & (turns < 1.0)]])
+    places = np.linspace(0.0, 1.0, FINE + 1)
+    for zoom in range(1, ZOOMS + 1):
+        values = at_shares(coefficients, places)
+        found = np.array([places[values.argmin()], places[values.argmax()]])
+        near = found[:, None] + np.linspace(-2.0, 2.0, FINE + 1) / FINE**zoom
+        places = np.clip(np.concatenate([found, near.ravel()]), 0.0, 1.0)
+    return np.concatenate([ends, found])
 
 
 def motion(
@@ -191,8 +222,9 @@ def motion(
     ends = np.concatenate([[0.0], np.cumsum(durations)])
     values = np.empty((problem.segments, samples, problem.joints))
     for k, j in np.ndindex(problem.segments, problem.joints):
-        still, moving = (np.array(derived(p, derivative), float) for p in problem.curve(k, j))
-        curve = (still + durations[k] * moving) / durations[k] ** derivative
-        values[k, :, j] = np.polynomial.polynomial.polyval(share, curve)
+        still, moving = (derived(p, derivative) for p in problem.curve(k, j))
+        time = Fraction(float(durations[k]))
+        curve = [(a + time * b) / time**derivative for a, b in zip(still, moving, strict=True)]
+        values[k, :, j] = at_shares(_bernstein(curve), share)
     times = ends[:-1, None] + share * durations[:, None]
     return times.ravel(), values.reshape(-1, problem.joints)

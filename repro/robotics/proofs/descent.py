@@ -76,11 +76,11 @@ def descended(
             found = solved(limits, np.ones(len(best)), around, anywhere)
             if not limits.add_worst(found.x):
                 break
-        motion = just_obeying(problem, found.x)
+        motion, held = just_obeying(problem, found.x), found.weights
         gain = best.sum() - motion.sum()
         if gain <= 0.0:
             break
-        best, held = motion, found.weights
+        best = motion
         if gain < GAIN * best.sum():
             break
     known = zip(limits.known, held, strict=False)
