@@ -8,8 +8,9 @@ import numpy as np
 
 from repro.model import (
     Arm, ArmMotion, Between, Combination, Convergence, Effort, Experiment, JointCurves, Measure,
-    Percent, PlaceAmong, Printed, PublishedTable, Reduction, Sensitivity, Sentence, Together,
-    as_one, computed, everywhere, not_counted, planned, prose, says, says_in_words, woa_readings,
+    NamedRobot, Percent, PlaceAmong, Printed, PublishedTable, Reduction, Sensitivity, Sentence,
+    Together, as_one, computed, everywhere, not_counted, planned, prose, says, says_in_words,
+    woa_readings,
 )  # fmt: skip
 from repro.optimisers import GA, WOA, SteadyStateGA
 from repro.robotics import PathFitting, RestToRestLaw, cubic, dh_rows, freedoms, quintic, septic
@@ -48,7 +49,7 @@ FREEDOMS = Printed("6")  # title and section IV
 # chain of the description file and the standard convention agree in every posture when the joint
 # angles are -A1, -A2, 90° - A3, -A4, -A5 and 180° - A6.
 REAL_ARM = PublishedTable.read("""
-    KUKA KR4 R600, github kroshu/kuka_robot_descriptions, kuka_agilus_support: kr4_r600_macro.xacro
+    github kroshu/kuka_robot_descriptions, kr4_r600_macro.xacro and kr4_r600_joint_limits.yaml
     axis || least [deg] | greatest [deg] | speed [rad/s] | acceleration [rad/s^2]
     A1   || -170        | 170            | 5.864         | 29.22
     A2   || -195        | 40             | 5.864         | 9.951
@@ -60,6 +61,18 @@ REAL_ARM = PublishedTable.read("""
 DH = dh_rows(a=TABLE_IV.column("a"), alpha=TABLE_IV.column("α"), d=TABLE_IV.column("d"))
 START, END = ANGLES.column("start angles"), ANGLES.column("end angles")
 AT_ZERO = (0.0, 0.0, math.pi / 2, 0.0, 0.0, math.pi)  # joint angles of Table IV where A1…A6 are 0
+KUKA = NamedRobot(
+    name="KUKA KR4 R600", axes=REAL_ARM, zeros=AT_ZERO, signs=(-1,) * 6,
+    links=PublishedTable.read("""
+        github kroshu/kuka_robot_descriptions, kr4_r600_macro.xacro, origins
+        axis || a [m] | α [rad] | d [m]
+        A1   || 0     | π/2     | 0.330
+        A2   || 0.29  | 0       | 0
+        A3   || 0.02  | π/2     | 0
+        A4   || 0     | -π/2    | 0.310
+        A5   || 0     | π/2     | 0
+        A6   || 0     | 0       | 0.075
+    """))  # fmt: skip
 
 # None of these is printed; each is an Assumption, those of the search with a range that is tried.
 DURATION = 2.0  # s
@@ -75,11 +88,7 @@ def axis_angles(joints: tuple[float, ...]) -> tuple[float, ...]:
 
 def axes_out_of_range(*postures: tuple[float, ...]) -> float:
     """Return how many axes of the real arm lie outside their range in any of the postures."""
-    ranges = REAL_ARM.column("least"), REAL_ARM.column("greatest")
-    return float(sum(
-        any(not low <= angle <= high for angle in angles)
-        for low, high, *angles in zip(*ranges, *postures, strict=True)
-    ))  # fmt: skip
+    return float(KUKA.outside(*postures))
 
 
 def reach() -> float:
@@ -475,7 +484,7 @@ PAPER = TEXT.paper(
         Arm(label="Arm", caption="The arm of Table IV between the angles of Eqs. (10) and (11), "
             "read as angles A1 to A6 of the real arm, by the quintic and by the cubic polynomials; "
             "no time is minimised or printed, so both last the time that is assumed",
-            dh=DH, convention="standard",
+            dh=DH, convention="standard", table=TABLE_IV, robot=KUKA,
             motions=(ArmMotion(name="quintic polynomials", problem=ARM_QUINTIC),
                      ArmMotion(name="cubic polynomials", problem=ARM_CUBIC)),
             assumed=("Denavit-Hartenberg convention", "what the start and end angles are",

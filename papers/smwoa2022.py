@@ -7,10 +7,10 @@ import numpy as np
 
 from repro.model import (
     Absolute, Arm, ArmMotion, AverageRank, Between, CellClaim, Contest, ContestPlace, Experiment,
-    Firsts, Fitness, FromMinimum, Measure, MeanRank, MotionReading, Percent, PercentLower, Printed,
-    PublishedTable, PValues, Rank, RankSum, Reduction, Samples, Sentence, SplineMotion, TableCell,
-    TextNumber, as_one, computed, computed_cells, every_cell, everywhere, not_counted, prose,
-    ranked, row_sums, runs_of, says, says_in_words,
+    Firsts, Fitness, FromMinimum, Measure, MeanRank, MotionReading, NamedRobot, Percent,
+    PercentLower, Printed, PublishedTable, PValues, Rank, RankSum, Reduction, Samples, Sentence,
+    SplineMotion, TableCell, TextNumber, as_one, computed, computed_cells, every_cell, everywhere,
+    not_counted, prose, ranked, row_sums, runs_of, says, says_in_words,
 )  # fmt: skip
 from repro.functions import FUNCTIONS, BenchmarkProblem
 from repro.optimisers import DE, GSA, PSO, SMA, SlimeWOA
@@ -112,6 +112,18 @@ MAKERS_TABLE = PublishedTable.read("""
     5     || 0        | -π/2    | 0.09465
     6     || 0        | 0       | 0.08230
 """)
+MACHINE = NamedRobot(
+    name="UR5", links=MAKERS_TABLE, zeros=(0.0,) * 6,  # its joint angles are those of its table
+    axes=PublishedTable.read("""
+        github UniversalRobots/Universal_Robots_ROS2_Description, config/ur5/joint_limits.yaml
+        joint         || least [deg] | greatest [deg] | speed [deg/s]
+        shoulder pan  || -360        | 360            | 180
+        shoulder lift || -360        | 360            | 180
+        elbow         || -180        | 180            | 180
+        wrist 1       || -360        | 360            | 180
+        wrist 2       || -360        | 360            | 180
+        wrist 3       || -360        | 360            | 180
+    """))  # fmt: skip
 DH = dh_rows(a=MAKERS_TABLE.column("a"), alpha=MAKERS_TABLE.column("α"), d=MAKERS_TABLE.column("d"))
 
 WOA = SlimeWOA(
@@ -461,10 +473,10 @@ PAPER = TEXT.paper(
         Arm(
             label="Arm", caption="A UR5 on its way through the nodes of Table 4, with the "
             "durations that Table 6 prints for SMWOA and with those of the certified optimum",
-            dh=DH, convention="standard",
-            motions=(ArmMotion(name="SMWOA as printed", problem=UR5,
-                               durations=printed_durations("SMWOA")),
-                     ArmMotion(name="certified optimum", problem=UR5)),
+            dh=DH, convention="standard", robot=MACHINE, limits_at="Table 5, section 4.3",
+            motions=(ArmMotion(name="certified optimum", problem=UR5),
+                     ArmMotion(name="SMWOA as printed", problem=UR5,
+                               durations=printed_durations("SMWOA"))),
             assumed=("links of the UR5 and zero of its joint angles",)),
     ),
 )  # fmt: skip

@@ -399,12 +399,12 @@ PAPER = TEXT.paper(
             problem=RESTING, dh=DH, convention="modified", printed_waypoints=(),
         ),
         Arm(
-            label="Arm", dh=DH, convention="modified",
+            label="Arm", dh=DH, convention="modified", table=TABLE_1,
             caption="The arm of Table 1 on its way through Table 4, at rest at each position, with "
             "the printed durations and with the shortest that keep the limits of Table 3",
             motions=(
-                ArmMotion(name="WOA as printed", problem=RESTING, durations=FOUND),
                 ArmMotion(name="certified optimum, limits kept", problem=RESTING),
+                ArmMotion(name="WOA as printed", problem=RESTING, durations=FOUND),
             ),
             assumed=("Denavit-Hartenberg convention", "link twists of joints 3 and 6"),
         ),

@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from repro.audit.alone import tables_alone
+from repro.audit.arms import arm_rows
 from repro.audit.blocks import blocks
 from repro.audit.poses import pose_rows
 from repro.audit.sentences import sentence_rows
@@ -54,6 +55,7 @@ def _rows(paper: Paper) -> Iterator[AuditRow]:
     for table in tables_alone(paper):
         yield from table.rows
     yield from time_rows(paper)
+    yield from arm_rows(paper)
     yield from sentence_rows(paper)
     for relation in paper.relations:
         yield from _relation_rows(paper.key, relation)

@@ -45,6 +45,7 @@ from repro.model.measures.measure import (
     runs_of,
 )
 from repro.model.measures.ranks import Contest, ContestPlace, Firsts, MeanRank, RankSum, Samples
+from repro.model.named_robot import NamedRobot
 from repro.model.open_points import Erratum, Gap
 from repro.model.paper import Formula, MotionReading, Paper, Source
 from repro.model.prose import Prose, prose

@@ -3,9 +3,11 @@
 from dataclasses import dataclass
 
 from repro.errors import DeclarationError
+from repro.model.named_robot import NamedRobot
 from repro.robotics import Convention, MinimumTime, MinimumTimeSpline, PathFitting
 from repro.robotics.kinematics import DHRow
 from repro.robotics.shown_motion import Moving, ShowsMotion
+from repro.tables.published import PublishedTable
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -110,7 +112,10 @@ class ArmMotion:
 class Arm:
     """The robot itself in space, moving along two or more motions on one clock.
 
-    `assumed` names those of the paper's assumptions (by their `what`) that the picture rests on.
+    The first motion is drawn solid, the second as its ghost. `assumed` names those of the paper's
+    assumptions (by their `what`) that the picture rests on. `table` is the printed one that the
+    links are of, None where the paper prints none; `robot` the machine that the paper names, with
+    which links, limits and ranges are compared; `limits_at` says where the limits are printed.
     """
 
     label: str
@@ -119,6 +124,21 @@ class Arm:
     convention: Convention
     motions: tuple[ArmMotion, ...]
     assumed: tuple[str, ...] = ()
+    table: PublishedTable | None = None
+    robot: NamedRobot | None = None
+    limits_at: str = ""
+
+    def __post_init__(self) -> None:
+        """Raise DeclarationError for a robot that has another number of joints than the links."""
+        if self.robot is not None and not isinstance(self.robot, NamedRobot):
+            message = f"{self.label}: robot is {self.robot!r:.60}, which is no NamedRobot"
+            raise DeclarationError(message)
+        if self.robot is not None and self.robot.joints != len(self.dh):
+            message = (
+                f"{self.label}: robot {self.robot.name!r} has {self.robot.joints} joints, the "
+                f"links {len(self.dh)}"
+            )
+            raise DeclarationError(message)
 
 
 def _check_point(place: str, problem: object, durations: tuple[float, ...] | None) -> None:

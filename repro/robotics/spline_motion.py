@@ -248,6 +248,27 @@ def _speed_at_ends(problem: MinimumTimeSpline, durations: Vector) -> Vector:
     return np.array(speeds).reshape(durations.shape[:-1])
 
 
+def peaks(problem: MinimumTimeSpline, durations: Vector, derivative: int) -> Vector:
+    """Return each joint's greatest velocity (1) or acceleration (2), (joints,), SI units.
+
+    Nothing is sampled; infinite where time runs backwards.
+    """
+    steps = spans(problem.nodes, problem.ends)[:, 1:] * np.array([1.0, 2.0, 3.0])[:, None]
+    data = problem.data
+    slopes = _slopes(np.asarray(durations, dtype=np.float64), data)
+    if _backwards(slopes) >= 0.0:
+        return np.full(steps.shape[-1], np.inf)
+    found = np.zeros(steps.shape[-1])
+    for s, p in zip(slopes, steps, strict=True):
+        for joint, (p0, p1, p2) in enumerate(p.T):
+            if derivative == 1:
+                value = fastest(p0, p1, p2, *s)
+            else:
+                value = hardest(*turning(p0, p1, p2, *s), *s)
+            found[joint] = max(found[joint], value)
+    return found
+
+
 def motion(
     problem: MinimumTimeSpline, durations: Vector, *, derivative: int, samples: int
 ) -> tuple[Vector, Vector]:
