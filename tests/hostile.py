@@ -25,6 +25,7 @@ from repro.runs.run import execute
 from repro.runs.store.store import Store
 from repro.tables.published import NOTHING, Printed, PublishedTable
 from tests.damages import tried
+from tests.made_up import text_of
 from tests.small_papers import EXPERIMENT, PAPER, Bowl, Guessing
 from tests.small_stores import INTACT, filled
 
@@ -195,7 +196,7 @@ def pages(text: str) -> dict[str, str]:
         outside = {path.name for path in folder.iterdir()}
         assert outside == {"store", "reports"}
         return {
-            str(path.relative_to(folder / "reports")): path.read_text(encoding="utf-8")
+            str(path.relative_to(folder / "reports")): text_of(path)
             for path in (folder / "reports").rglob("*.*")
         }
 

@@ -1,5 +1,6 @@
 """Pages of the invented paper, made in a moment."""
 
+import gzip
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -28,7 +29,13 @@ def pages_of(folder: Path, paper: Paper = PAPER, repeats: int = 2) -> dict[str, 
             )
         write_pages(store, [paper], tasks, folder / "reports", [paper.key])
     return {
-        str(path.relative_to(folder / "reports")): path.read_text(encoding="utf-8")
+        str(path.relative_to(folder / "reports")): text_of(path)
         for path in sorted((folder / "reports").rglob("*"))
         if path.is_file()
     }
+
+
+def text_of(path: Path) -> str:
+    """Return the text of a file, unpacked where it is packed."""
+    content = path.read_bytes()
+    return (gzip.decompress(content) if path.suffix == ".gz" else content).decode()

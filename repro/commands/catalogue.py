@@ -51,6 +51,18 @@ def chosen(options: Namespace) -> list[Paper]:
     return [each.paper for each in found]
 
 
+def found_papers(arguments: Iterable[str] = ()) -> list[Paper]:
+    """Return the papers that keys, files and folders name, all that are known here for none.
+
+    InputError for one that fails, where it is asked for.
+    """
+    wanted = list(arguments)
+    found, faults = _asked_for(wanted)
+    if faults and wanted:
+        raise InputError("\n".join(fault.says for fault in faults))
+    return [each.paper for each in found]
+
+
 def _called(one: Declared) -> str:
     """Return what a paper from elsewhere is called here: its file, or its key where installed."""
     if one.installed:

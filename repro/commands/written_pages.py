@@ -1,6 +1,7 @@
 """From a store to pages: what `reproduce` ends with and `report` does alone."""
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from types import MappingProxyType
 
@@ -12,6 +13,7 @@ from repro.report.pages import write_report
 from repro.report.results import Json
 from repro.runs.gather import gather
 from repro.runs.plan import Task, deeper_tasks
+from repro.runs.raw_runs import RawRuns, drawn_as
 from repro.runs.store.store import Store
 from repro.runs.studies import studies
 
@@ -58,10 +60,12 @@ def judged(
     """Return the judgement of one paper; `tasks` are its own."""
     others = studies(paper, max((task.repeat for task in tasks), default=1))
     seed = tasks[0].seed if tasks else ""
+    raw = RawRuns(others)
 
     def fetch(depths: Mapping[Cell, int]) -> Mapping[Cell, Runs]:
         more = deeper_tasks(paper, others, depths, seed)
         run(more)
-        return gather(store, paper, more, others).runs
+        return gather(store, paper, more, others, raw.note).runs
 
-    return judge(paper, gather(store, paper, tasks, others), others, fetch)
+    judgement = judge(paper, gather(store, paper, tasks, others, raw.note), others, fetch)
+    return replace(judgement, runs=raw.runs(), drawn_as=drawn_as(paper, others))

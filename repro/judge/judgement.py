@@ -1,7 +1,7 @@
 """Everything that is concluded of one paper, as data: no text of a page, no file, no figure."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 
 from repro.audit import AuditRow, audit
 from repro.judge.beside_baselines import ExperimentStandings, paper_standings
@@ -15,6 +15,7 @@ from repro.judge.rank_tests import AlgorithmTests, algorithm_tests
 from repro.judge.times_found import FoundTime, found_times
 from repro.model.evidence import Evidence
 from repro.model.paper import Paper
+from repro.runs.raw_runs import RawRun
 from repro.runs.studies import Study, kinds_of
 
 
@@ -25,7 +26,9 @@ class Judgement:
     `findings` are those of its claims, in their order; `readings` the evidence under each other
     reading that was run, `prints` how near the columns are to each; `found_times` stand beside
     `certificates`. `besides` says in words what was run besides the protocol, other readings in
-    `reading_repeats` repeats; `outside` are the searches that their source lets leave the box.
+    `reading_repeats` repeats; `outside` are the searches that their source lets leave the box;
+    `runs` is every finished run that was read, and `drawn_as` names the experiments that draw the
+    random numbers of another.
     """
 
     paper: Paper
@@ -42,6 +45,8 @@ class Judgement:
     besides: tuple[str, ...] = ()
     reading_repeats: int = 0
     outside: tuple[OutsideBox, ...] = ()
+    runs: tuple[RawRun, ...] = ()
+    drawn_as: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def repeats(self) -> int:

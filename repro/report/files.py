@@ -1,9 +1,6 @@
 """Files of the reports folder: whether it can be written, and writing each at once."""
 
-import csv
-import io
 import os
-from collections.abc import Iterable
 from contextlib import suppress
 from pathlib import Path
 
@@ -23,19 +20,12 @@ def usable_folder(folder: Path) -> None:
         raise InputError(message)
 
 
-def csv_text(rows: Iterable[Iterable[object]]) -> str:
-    """Return rows as the text of a CSV file."""
-    text = io.StringIO()
-    csv.writer(text, lineterminator="\n").writerows(rows)
-    return text.getvalue()
-
-
-def write_file(path: Path, text: str) -> None:
+def write_file(path: Path, content: str | bytes) -> None:
     """Replace a file at once, so that no reader sees half of it; InputError where it cannot be."""
     draft = path.with_name(f".{path.name}.{os.getpid()}.draft")  # two calls may write at once
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        draft.write_text(text, encoding="utf-8")
+        draft.write_bytes(content.encode() if isinstance(content, str) else content)
         draft.replace(path)
     except OSError as error:
         with suppress(OSError):

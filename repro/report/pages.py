@@ -11,7 +11,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescap
 from markupsafe import Markup
 
 from repro.audit.alone import tables_alone
-from repro.judge.findings import LEVEL, Finding
+from repro.judge.findings import LEVEL
 from repro.judge.judgement import Judgement
 from repro.judge.verdict import Verdict
 from repro.model.identifiers import anchor
@@ -20,8 +20,9 @@ from repro.model.paper import Paper
 from repro.report.calibration import calibration
 from repro.report.drawings.arm_viewer import viewer
 from repro.report.drawings.draw import Drawing, draw
-from repro.report.files import csv_text, usable_folder, write_file
+from repro.report.files import usable_folder, write_file
 from repro.report.formulas import dollars, equation_links, formula_anchor, mathml, powers_of_ten
+from repro.report.frames import DIGITS, FINDING, csv_text, findings_frame
 from repro.report.results import (
     PROVENANCE,
     Environments,
@@ -36,10 +37,11 @@ from repro.report.results import (
     results_text,
     verdict_counts,
 )
+from repro.report.run_files import packed_runs, place_of_runs
 from repro.report.verdict_pages import VERDICTS, verdict_context
 from repro.report.views.baselines import standings_view
 from repro.report.views.calibration import truthful
-from repro.report.views.findings import Shown, everything, table_view, tallies
+from repro.report.views.findings import everything, table_view, tallies
 from repro.report.views.heat_map import heat_map
 from repro.report.views.readings import readings_view, ruled_out_by, settings_of
 from repro.report.views.runs import runs_view
@@ -57,13 +59,8 @@ from repro.report.words import (
 )
 from repro.tables.audit_words import read_lines, read_words
 
-Files = dict[str, str]
+Files = dict[str, str | bytes]
 ANOTHER_SEED = "another-seed.json"
-_COLUMNS = (
-    *("table", "row", "column", "claim", "where", "printed", "unit", "value"),
-    *("measured_low", "measured_high", "accepted_low", "accepted_high", "quantile", "repeats"),
-    *("verdict", "side", "note", "readings_tried", "turns_on", "group", "unseen", "id"),
-)
 
 
 def write_report(
@@ -94,8 +91,8 @@ def write_report(
     kept = [entry["key"] for entry in results["papers"]]
     files[PROVENANCE] = results_text(merged_provenance(made, read_json(folder / PROVENANCE), kept))
     files |= index_files(results, read_json(folder / ANOTHER_SEED), called) | verdict_files()
-    for name, text in files.items():
-        write_file(folder / name, text)
+    for name, content in files.items():
+        write_file(folder / name, content)
     return results
 
 
@@ -134,11 +131,14 @@ def _paper_files(judgement: Judgement, master_seed: str, files: Files, called: s
         "reading_repeats": judgement.reading_repeats,
         "standings": tuple(map(standings_view, judgement.standings)),
         "drawings": drawings,
+        "runs_file": place_of_runs(paper.key),
         "provenance": entry["provenance"],
     }
     files[f"{paper.key}.html"] = render("paper.html", context)
     files[f"{paper.key}.md"] = render("paper.md", context)
-    files |= _tables(paper, found, drawings) | runs.files(paper.key)
+    files |= _tables(paper, entry, drawings) | runs.files(paper.key)
+    if paper.experiments:
+        files[place_of_runs(paper.key)] = packed_runs(judgement.runs)
     return entry
 
 
@@ -241,24 +241,13 @@ def _without_tags(value: object) -> object:
     return value
 
 
-def _tables(paper: Paper, found: Sequence[Shown], drawings: Sequence[Drawing]) -> Files:
-    by_table: dict[str, list[tuple[object, ...]]] = {}
-    for one in found:
-        by_table.setdefault(one.group, []).append((*_csv_row(one.finding), one.anchor))
-    files = {
-        f"tables/{paper.key}-{group}.csv": csv_text([_COLUMNS, *own])
-        for group, own in by_table.items()
+def _tables(paper: Paper, entry: Json, drawings: Sequence[Drawing]) -> Files:
+    found = findings_frame([entry])
+    groups = found["table"].fillna("claims").map(anchor)
+    files: Files = {
+        f"tables/{paper.key}-{group}.csv": csv_text(found.loc[groups == group, list(FINDING)])
+        for group in groups.unique()
     }
     for figure, drawing in zip(paper.figures, drawings, strict=True):
-        files[f"tables/{paper.key}-{anchor(figure.label)}.csv"] = csv_text(drawing.rows)
+        files[f"tables/{paper.key}-{anchor(figure.label)}.csv"] = csv_text(drawing.frame, DIGITS)
     return files
-
-
-def _csv_row(finding: Finding) -> tuple[object, ...]:
-    low, high = finding.measured or ("", "")
-    return (
-        finding.table, finding.row, finding.column, finding.claim, finding.where, finding.printed,
-        finding.unit, finding.value, low, high, *finding.accepted, finding.quantile,
-        finding.repeats, finding.verdict, finding.side, finding.note,
-        len(finding.readings), "; ".join(finding.turns_on), finding.group, finding.unseen,
-    )  # fmt: skip

@@ -39,6 +39,7 @@ def paper_result(judgement: Judgement, master_seed: str) -> Json:
                 cell.costs.size for (name, *_), cell in runs.items() if name in protocol
             ),
             "master_seed": master_seed,
+            "drawn_as": dict(judgement.drawn_as),
         },
         "findings": _plain(judgement.findings),
         "audit": _plain(judgement.audit),

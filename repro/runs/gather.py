@@ -1,7 +1,7 @@
 """From stored runs to the evidence of one paper."""
 
 from collections import defaultdict
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator
 from itertools import groupby
 
 import numpy as np
@@ -15,10 +15,15 @@ from repro.runs.studies import Study
 
 
 def gather(
-    store: Store, paper: Paper, tasks: Iterable[Task], besides: Iterable[Study] = ()
+    store: Store,
+    paper: Paper,
+    tasks: Iterable[Task],
+    besides: Iterable[Study] = (),
+    note: Callable[[Record], None] = lambda _: None,
 ) -> Evidence:
     """Return the evidence of one paper: whole repeats only, in the order of their numbers.
 
+    `note` is told of every record that is read, those of a repeat that is not whole among them.
     Tasks of one cell stand together, so that no more than one cell's records are held at once.
     """
     studies = tuple(besides)
@@ -40,10 +45,18 @@ def gather(
     runs: dict[Cell, Runs] = {}
     own = (task for task in tasks if task.paper == paper.key and task.experiment in protocol)
     for cell, group in groupby(own, key=_cell):
-        found = _whole(store.records(group), protocol[cell[0]], follow=cell in followed)
+        found = _whole(
+            _noted(store.records(group), note), protocol[cell[0]], follow=cell in followed
+        )
         if found:
             runs[cell] = found
     return Evidence(paper.key, (*others, *paper.experiments), runs)
+
+
+def _noted(records: Iterable[Record], note: Callable[[Record], None]) -> Iterator[Record]:
+    for record in records:
+        note(record)
+        yield record
 
 
 def _cell(task: Task) -> Cell:

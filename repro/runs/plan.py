@@ -1,7 +1,7 @@
 """Everything that is to be run, in order, each run with a name, a seed and a key."""
 
 import hashlib
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -106,6 +106,25 @@ def deeper_tasks(
             memory=memory,
         )
     )
+
+
+def tasks_of(
+    paper: Paper, experiments: Iterable[tuple[Experiment, int]], seed: str = ""
+) -> Iterator[Task]:
+    """Yield every run of experiments, so many times over each, cell by cell."""
+    memory: Memory = {}
+    for experiment, times in experiments:
+        for problem in experiment.problems:
+            for algorithm in experiment.algorithms:
+                yield from _cell(
+                    paper.key,
+                    experiment,
+                    problem,
+                    algorithm,
+                    repeats=times,
+                    seed=seed,
+                    memory=memory,
+                )
 
 
 def _cell(

@@ -3,7 +3,7 @@ from pathlib import Path
 import pytest
 
 from repro.errors import InputError
-from repro.report.files import csv_text, usable_folder, write_file
+from repro.report.files import usable_folder, write_file
 
 
 def test_a_reports_folder_is_made_with_its_parents(tmp_path: Path) -> None:
@@ -29,7 +29,3 @@ def test_a_file_that_cannot_be_written_is_named(tmp_path: Path) -> None:
     (tmp_path / "tables").write_text("in the way")
     with pytest.raises(InputError, match=r"a\.csv cannot be written"):
         write_file(tmp_path / "tables" / "a.csv", "text")
-
-
-def test_commas_and_quotes_stay_in_their_cell() -> None:
-    assert csv_text([("a,b", 'c"d'), (1.5, None)]) == '"a,b","c""d"\n1.5,\n'

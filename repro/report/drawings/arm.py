@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -18,7 +19,6 @@ from repro.report.drawings.style import (
     COLOURS,
     WIDTH,
     Plot,
-    Rows,
     Scene,
     Style,
     draw_legend,
@@ -38,6 +38,8 @@ GOAL: Style = {"color": COLOURS[1], "linewidth": 4.5, "marker": "s", "markersize
 BETWEEN: Style = {"color": "#000000", "linewidth": 1.4, "marker": "o", "markersize": 3}
 PATH: Style = {"color": COLOURS[2], "linewidth": 1.8, "linestyle": (0, (3, 1.5))}
 FLOOR: Style = {"color": "#000000", "linewidth": 0.5, "alpha": 0.3}
+
+PLACES = 4  # of a metre: a tenth of a millimetre
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -62,7 +64,7 @@ def arm_plot(figure: Arm, assumptions: Sequence[Assumption]) -> Plot:
     return Plot(
         canvas=_still(motions[0], stops, eye),
         description=_description(figure, motions, stops) + _assumed(figure, assumptions),
-        rows=_rows(motions),
+        frame=_frame(motions),
         scene=_scene(figure, motions, stops, eye),
     )
 
@@ -213,15 +215,14 @@ def _assumed(figure: Arm, assumptions: Sequence[Assumption]) -> str:
     return "".join(texts)
 
 
-def _rows(motions: Sequence[Moving]) -> Rows:
+def _frame(motions: Sequence[Moving]) -> pd.DataFrame:
     frames = len(motions[0].postures[0].origins)
     names = ["base", *(f"frame {k}" for k in range(1, frames - 1)), "tool"]
-    headings = ("motion", "time [s]", *(f"{axis} of {n} [m]" for n in names for axis in "xyz"))
-    return (
-        headings,
-        *(
-            (motion.name, f"{time:.6g}", *(f"{value:.4f}" for value in posture.origins.ravel()))
-            for motion in motions
-            for time, posture in zip(motion.times, motion.postures, strict=True)
-        ),
+    places = [posture.origins.ravel() for motion in motions for posture in motion.postures]
+    frame = pd.DataFrame(
+        np.round(places, PLACES) + 0.0,  # no negative zero
+        columns=[f"{axis} of {name} [m]" for name in names for axis in "xyz"],
     )
+    frame.insert(0, "motion", [motion.name for motion in motions for _ in motion.postures])
+    frame.insert(1, "time [s]", np.concatenate([motion.times for motion in motions]))
+    return frame

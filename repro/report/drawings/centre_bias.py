@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 import numpy as np
+import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
@@ -14,7 +15,6 @@ from repro.report.drawings.style import (
     RIGHT,
     WIDTH,
     Plot,
-    Rows,
     Style,
     draw_legend,
     empty,
@@ -53,7 +53,7 @@ def bias_plot(names: Sequence[str], found: Sequence[Bias]) -> Plot:
         axes.plot(np.log10(bias.interval), [y, y], color=style["color"], linewidth=1.0)
         axes.plot([np.log10(bias.ratio)], [y], linestyle="none", **style)
     _finish(axes, names, scale)
-    return Plot(canvas=canvas, description=_description(names, found), rows=_rows(found))
+    return Plot(canvas=canvas, description=_description(names, found), frame=_frame(found))
 
 
 def _mark(k: int) -> Style:
@@ -103,12 +103,11 @@ def _description(names: Sequence[str], found: Sequence[Bias]) -> str:
     )
 
 
-def _rows(found: Sequence[Bias]) -> Rows:
+def _frame(found: Sequence[Bias]) -> pd.DataFrame:
     headings = ("algorithm", "shift", "problem", "ratio", "low", "high", "p by Holm")
-    rows = []
+    rows: list[tuple[object, ...]] = []
     for bias in found:
-        place = (bias.algorithm, f"{bias.shift:g}")
-        whole = (bias.ratio, *bias.interval, bias.p)
-        rows.append((*place, "geometric mean", *(f"{value:.6g}" for value in whole)))
-        rows += [(*place, name, f"{ratio:.6g}", "", "", "") for name, ratio in bias.ratios.items()]
-    return (headings, *rows)
+        place = (bias.algorithm, bias.shift)
+        rows.append((*place, "geometric mean", bias.ratio, *bias.interval, bias.p))
+        rows += [(*place, name, ratio, None, None, None) for name, ratio in bias.ratios.items()]
+    return pd.DataFrame(rows, columns=list(headings))

@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
@@ -15,7 +16,6 @@ from repro.model.figures import Convergence
 from repro.report.drawings.style import (
     CURVE_POINTS,
     Plot,
-    Rows,
     Style,
     line_style,
     name_left_axis,
@@ -121,7 +121,7 @@ def convergence_plot(figure: Convergence, evidence: Evidence) -> Plot | None:
         name_left_axis(axes, "best cost")
     for axes in places[-2:]:
         axes.set_xlabel("iteration")
-    return Plot(canvas=canvas, description=_description(curves, missing), rows=_rows(curves))
+    return Plot(canvas=canvas, description=_description(curves, missing), frame=_frame(curves))
 
 
 def _curves(figure: Convergence, evidence: Evidence) -> tuple[Panels, list[str]]:
@@ -206,15 +206,14 @@ def _lines(runs: str) -> str:
     return f"a line for the median of {runs} runs in a band from the lowest to the highest. Median"
 
 
-def _rows(curves: Panels) -> Rows:
-    return (
-        HEADINGS,
-        *(
-            (problem, algorithm, f"{iteration:.0f}", *(f"{cost:.6g}" for cost in costs))
-            for problem, panel in curves.items()
-            for algorithm, curve in panel.items()
-            for iteration, *costs in zip(
-                curve.iterations, curve.lowest, curve.median, curve.highest, strict=True
-            )
-        ),
-    )
+def _frame(curves: Panels) -> pd.DataFrame:
+    parts = [
+        pd.DataFrame(
+            dict(zip(HEADINGS, (problem, algorithm, curve.iterations.astype(int), *costs),
+                     strict=True))
+        )
+        for problem, panel in curves.items()
+        for algorithm, curve in panel.items()
+        for costs in [(curve.lowest, curve.median, curve.highest)]
+    ]  # fmt: skip
+    return pd.concat(parts, ignore_index=True)

@@ -5,12 +5,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
 from repro.report.drawings.convergence import CostScale
-from repro.report.drawings.style import Plot, Rows, Style, panels_two_abreast
+from repro.report.drawings.style import Plot, Style, panels_two_abreast
 from repro.report.words import number
 
 Vector = NDArray[np.float64]
@@ -64,7 +65,7 @@ def distribution_plot(drawn: Sequence[Panel]) -> Plot:
     )
     for axes, panel in zip(places, drawn, strict=True):
         _draw(axes, panel)
-    return Plot(canvas=canvas, description=_description(drawn), rows=_rows(drawn))
+    return Plot(canvas=canvas, description=_description(drawn), frame=_frame(drawn))
 
 
 def _legend(drawn: Sequence[Panel]) -> list[Line2D]:
@@ -146,18 +147,16 @@ def _said(strip: Strip) -> str:
     return f"{strip.algorithm} {number(float(strip.quantiles[2]))}{printed}"
 
 
-def _rows(drawn: Sequence[Panel]) -> Rows:
+def _frame(drawn: Sequence[Panel]) -> pd.DataFrame:
     headings = (
         *("problem", "unit", "algorithm", "runs", "lowest", "lower quartile", "median"),
         *("upper quartile", "highest", "zeros", *SAYS.values()),
     )
-    return (
-        headings,
-        *(
-            (panel.title, panel.unit, strip.algorithm, f"{len(strip.values)}",
-             *(f"{value:.6g}" for value in strip.quantiles), f"{(strip.values == 0).sum()}",
-             *(f"{strip.printed[name]:.6g}" if name in strip.printed else "" for name in SAYS))
-            for panel in drawn
-            for strip in panel.strips
-        ),
-    )  # fmt: skip
+    rows = [
+        (panel.title, panel.unit, strip.algorithm, len(strip.values), *strip.quantiles,
+         int((strip.values == 0).sum()), *map(strip.printed.get, SAYS))
+        for panel in drawn
+        for strip in panel.strips
+    ]  # fmt: skip
+    frame = pd.DataFrame(rows, columns=list(headings))
+    return frame.astype(dict.fromkeys(SAYS.values(), float))

@@ -3,6 +3,8 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
+import pandas as pd
+
 from repro.model.assumptions import Assumption
 from repro.model.evidence import Evidence
 from repro.model.figures import Arm, Convergence, Figure, JointCurves, Motion, SplineMotion
@@ -11,7 +13,7 @@ from repro.report.drawings.convergence import HEADINGS, convergence_plot
 from repro.report.drawings.fitted_curves import joint_curves_plot
 from repro.report.drawings.motion import motion_plot
 from repro.report.drawings.spline import spline_plot
-from repro.report.drawings.style import Plot, Rows, Scene, drawing_style, empty
+from repro.report.drawings.style import Plot, Scene, drawing_style, empty
 from repro.report.drawings.svg import inline_svg
 from repro.report.drawings.tool_path import tool_path_plot
 
@@ -23,14 +25,14 @@ class Drawing:
     """A figure ready for a page.
 
     `svg` is one inline element in the page's own text colour; `title` is label and caption;
-    `description` says in words what is drawn, with its main numbers; `rows` are the data under
-    one row of headings; `scene`, where there is one, is what an interactive view of it draws.
+    `description` says in words what is drawn, with its main numbers; `frame` holds the data;
+    `scene`, where there is one, is what an interactive view of it draws.
     """
 
     svg: str
     title: str
     description: str
-    rows: Rows
+    frame: pd.DataFrame
     scene: Scene | None = None
 
 
@@ -60,7 +62,7 @@ def drawing(plotted: Callable[[], Plot], *, title: str, identifier: str) -> Draw
             plot.canvas, identifier=identifier, title=title, description=plot.description
         )
     return Drawing(
-        svg=svg, title=title, description=plot.description, rows=plot.rows, scene=plot.scene
+        svg=svg, title=title, description=plot.description, frame=plot.frame, scene=plot.scene
     )
 
 
@@ -81,4 +83,6 @@ def _plot(figure: Figure, evidence: Evidence, assumptions: Sequence[Assumption])
 def _nothing() -> Plot:
     canvas = empty(0.6)
     canvas.text(0.5, 0.5, NOTHING, ha="center", va="center")
-    return Plot(canvas=canvas, description=f"{NOTHING}.", rows=(HEADINGS,))
+    return Plot(
+        canvas=canvas, description=f"{NOTHING}.", frame=pd.DataFrame(columns=list(HEADINGS))
+    )

@@ -5,13 +5,14 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
+import pandas as pd
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
 from repro.model.evidence import Evidence, Runs
 from repro.model.figures import JointCurves
-from repro.report.drawings.motion import QUANTITIES, UNITS, sample_rows
-from repro.report.drawings.style import CURVE_POINTS, Plot, Rows, line_style, name_left_axis, panels
+from repro.report.drawings.motion import QUANTITIES, UNITS, sample_frame
+from repro.report.drawings.style import CURVE_POINTS, Plot, line_style, name_left_axis, panels
 from repro.report.words import number
 from repro.robotics.polynomial_curves import derivative, values
 
@@ -57,7 +58,7 @@ def joint_curves_plot(figure: JointCurves, evidence: Evidence) -> Plot:
     return Plot(
         canvas=canvas,
         description=_description(figure, courses, missing),
-        rows=_rows(courses, times),
+        frame=_frame(courses, times),
     )
 
 
@@ -123,7 +124,7 @@ def _sampled(course: Curves, times: Vector, order: int) -> tuple[Vector, Vector]
     return times, np.transpose(curves)
 
 
-def _rows(courses: Sequence[Curves], times: Vector) -> Rows:
+def _frame(courses: Sequence[Curves], times: Vector) -> pd.DataFrame:
     joints = range(1, len(courses[0].coefficients) + 1)
     sampled = [(course.name, partial(_sampled, course, times)) for course in courses]
-    return sample_rows("curve", sampled, derivatives=DERIVATIVES, joints=joints)
+    return sample_frame("curve", sampled, derivatives=DERIVATIVES, joints=joints)

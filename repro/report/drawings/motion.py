@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
+import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
@@ -13,7 +14,7 @@ from repro.errors import DeclarationError
 from repro.model.evidence import Cell, Evidence
 from repro.model.experiment import Experiment
 from repro.model.figures import Motion
-from repro.report.drawings.style import CURVE_POINTS, Plot, Rows, line_style, name_left_axis, panels
+from repro.report.drawings.style import CURVE_POINTS, Plot, line_style, name_left_axis, panels
 from repro.robotics import MinimumTime
 from repro.robotics.shown_motion import Moving, ShowsMotion, highest, lasting, moved, shortest
 
@@ -76,7 +77,7 @@ def motion_plot(figure: Motion, evidence: Evidence) -> Plot | None:
     return Plot(
         canvas=canvas,
         description=_description(problem, courses, missing),
-        rows=_rows(problem, courses),
+        frame=_frame(problem, courses),
     )
 
 
@@ -203,27 +204,25 @@ def _description(problem: Moving, courses: Sequence[Course], missing: Sequence[s
     return text + (f" No runs yet of {', '.join(missing)}." if missing else "")
 
 
-def _rows(problem: Moving, courses: Sequence[Course]) -> Rows:
+def _frame(problem: Moving, courses: Sequence[Course]) -> pd.DataFrame:
     joints = range(1, problem.limits.shape[1] + 1)
     sampled = [(course.name, partial(_sampled, problem, course)) for course in courses]
-    return sample_rows("motion", sampled, derivatives=_derivatives(problem), joints=joints)
+    return sample_frame("motion", sampled, derivatives=_derivatives(problem), joints=joints)
 
 
-def sample_rows(
+def sample_frame(
     what: str,
     sampled: Iterable[tuple[str, Sample]],
     *,
     derivatives: Sequence[int],
     joints: Sequence[int],
-) -> Rows:
+) -> pd.DataFrame:
     """Return a row per sample: which motion, the time, every derivative of every joint."""
-    named = (f"{QUANTITIES[m]} of joint {k} [{UNITS[m]}]" for m in derivatives for k in joints)
-    rows: list[tuple[str, ...]] = [(what, "time [s]", *named)]
+    named = [f"{QUANTITIES[m]} of joint {k} [{UNITS[m]}]" for m in derivatives for k in joints]
+    parts = []
     for name, sample in sampled:
-        times, _ = sample(0)
-        values = np.hstack([sample(m)[1] for m in derivatives])
-        rows += [
-            (name, f"{time:.6g}", *(f"{value:.6g}" for value in line))
-            for time, line in zip(times, values, strict=True)
-        ]
-    return tuple(rows)
+        part = pd.DataFrame(np.hstack([sample(m)[1] for m in derivatives]), columns=named)
+        part.insert(0, what, name)
+        part.insert(1, "time [s]", sample(0)[0])
+        parts.append(part)
+    return pd.concat(parts, ignore_index=True)

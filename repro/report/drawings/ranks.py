@@ -3,9 +3,10 @@
 import math
 from collections.abc import Mapping, Sequence
 
+import pandas as pd
 from matplotlib.axes import Axes
 
-from repro.report.drawings.style import RIGHT, TOP, WIDTH, Plot, Rows, Style, empty
+from repro.report.drawings.style import RIGHT, TOP, WIDTH, Plot, Style, empty
 from repro.statistics.friedman import Friedman, not_told_apart
 
 LINE = 0.24  # in, from one name to the next
@@ -39,7 +40,7 @@ def rank_plot(names: Sequence[str], found: Friedman, printed: Mapping[str, str])
     return Plot(
         canvas=canvas,
         description=_description(names, order, found, groups),
-        rows=_rows(names, order, found, printed),
+        frame=_frame(names, order, found, printed),
     )
 
 
@@ -76,14 +77,13 @@ def _description(
     )
 
 
-def _rows(
+def _frame(
     names: Sequence[str], order: Sequence[int], found: Friedman, printed: Mapping[str, str]
-) -> Rows:
-    return (
-        ("algorithm", "average rank", "printed average rank", "critical difference"),
-        *(
-            (names[k], f"{found.ranks[k]:.6g}", printed.get(names[k], ""),
-             f"{found.critical_difference:.6g}")
-            for k in order
-        ),
-    )  # fmt: skip
+) -> pd.DataFrame:
+    ordered = [names[k] for k in order]
+    return pd.DataFrame({
+        "algorithm": ordered,
+        "average rank": [found.ranks[k] for k in order],
+        "printed average rank": [printed.get(name, "") for name in ordered],
+        "critical difference": found.critical_difference,
+    })  # fmt: skip

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
+import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
@@ -18,9 +19,9 @@ from repro.report.drawings.motion import (
     UNITS,
     Course,
     problem_name,
-    sample_rows,
+    sample_frame,
 )
-from repro.report.drawings.style import CURVE_POINTS, Plot, Rows, line_style, name_left_axis, panels
+from repro.report.drawings.style import CURVE_POINTS, Plot, line_style, name_left_axis, panels
 from repro.report.words import number
 from repro.robotics.proofs.spline_minimum import prove
 from repro.robotics.spline_motion import motion
@@ -66,7 +67,7 @@ def spline_plot(figure: SplineMotion, evidence: Evidence) -> Plot:
     return Plot(
         canvas=canvas,
         description=_description(figure, courses, missing),
-        rows=_rows(figure, courses),
+        frame=_frame(figure, courses),
     )
 
 
@@ -172,6 +173,6 @@ def _peaks(figure: SplineMotion, course: Course) -> str:
     )
 
 
-def _rows(figure: SplineMotion, courses: Sequence[Course]) -> Rows:
+def _frame(figure: SplineMotion, courses: Sequence[Course]) -> pd.DataFrame:
     sampled = [(course.name, partial(_sampled, figure, course)) for course in courses]
-    return sample_rows("motion", sampled, derivatives=figure.derivatives, joints=figure.joints)
+    return sample_frame("motion", sampled, derivatives=figure.derivatives, joints=figure.joints)

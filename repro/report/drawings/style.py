@@ -8,12 +8,12 @@ from dataclasses import dataclass
 from typing import Any
 
 import matplotlib as mpl
+import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.transforms import blended_transform_factory
 
-Rows = tuple[tuple[str, ...], ...]
 Style = dict[str, Any]  # keyword arguments of matplotlib
 Scene = Mapping[str, Any]
 
@@ -47,14 +47,14 @@ _ONE_AT_A_TIME = threading.Lock()  # matplotlib's settings belong to the whole p
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Plot:
-    """A drawn figure, what it shows in words, and its data under a row of headings.
+    """A drawn figure, what it shows in words, and its data.
 
     `scene`, where given, is what the interactive view of the same draws, ready for JSON.
     """
 
     canvas: Figure
     description: str
-    rows: Rows
+    frame: pd.DataFrame
     scene: Scene | None = None
 
 

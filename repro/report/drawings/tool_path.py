@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
+import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -17,7 +18,6 @@ from repro.report.drawings.style import (
     RIGHT,
     WIDTH,
     Plot,
-    Rows,
     Style,
     draw_legend,
     empty,
@@ -83,7 +83,7 @@ def tool_path_plot(figure: ToolPath) -> Plot:
         _draw_view(axes, path, [across, up])
     if path.distances.size:
         _write_distances(views[0], path)
-    return Plot(canvas=canvas, description=_description(path), rows=_rows(path))
+    return Plot(canvas=canvas, description=_description(path), frame=_frame(path))
 
 
 def _path(figure: ToolPath) -> Path:
@@ -190,12 +190,10 @@ def _description(path: Path) -> str:
     return f"{text} The printed waypoints lie {apart} mm away from them."
 
 
-def _rows(path: Path) -> Rows:
-    return (
-        HEADINGS,
-        *(
-            (name, str(index + 1), *(f"{value:.6g}" for value in place))
-            for name, places in zip(NAMES, (path.along, path.computed, path.printed), strict=True)
-            for index, place in enumerate(places)
-        ),
-    )
+def _frame(path: Path) -> pd.DataFrame:
+    rows = [
+        (name, index, *place)
+        for name, places in zip(NAMES, (path.along, path.computed, path.printed), strict=True)
+        for index, place in enumerate(places, start=1)
+    ]
+    return pd.DataFrame(rows, columns=list(HEADINGS))

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 
+import pandas as pd
 from matplotlib.axes import Axes
 
 from repro.judge.verdict import Verdict
@@ -84,7 +85,7 @@ def verdict_plot(example: Example) -> Plot:
         canvas=canvas,
         description=f"{example.says} Printed {PRINTED:g}, accepted {ACCEPTED[0]:g} to "
         f"{ACCEPTED[1]:g}; " + "; ".join(f"{n} {a:g} to {b:g}" for n, (a, b) in bars) + ".",
-        rows=(),
+        frame=pd.DataFrame(),
     )
 
 

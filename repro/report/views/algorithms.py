@@ -3,6 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+import pandas as pd
+
 from repro.judge.findings import Finding
 from repro.judge.judgement import Judgement
 from repro.judge.rank_tests import AlgorithmTests, RankSumTest
@@ -12,7 +14,8 @@ from repro.model.identifiers import anchor
 from repro.model.measures.ranks import MeanRank, RankSum
 from repro.report.drawings.draw import Drawing, drawing
 from repro.report.drawings.ranks import rank_plot
-from repro.report.drawings.style import Rows
+from repro.report.frames import rank_sums
+from repro.report.plain_rows import rows_of_tests
 from repro.report.words import number
 from repro.statistics.friedman import Friedman
 
@@ -43,14 +46,14 @@ class AlgorithmsView:
     experiment: Experiment
     others: tuple[str, ...]
     rows: tuple[tuple[str, tuple[str, ...]], ...]
-    data: Rows
+    data: pd.DataFrame
     budgets: tuple[tuple[str, int], ...]
     printed: tuple[tuple[str, str, str], ...]
     ranking: Ranking | None
 
-    def tables(self) -> tuple[tuple[str, Rows], ...]:
+    def tables(self) -> tuple[tuple[str, pd.DataFrame], ...]:
         """Return the kind and the rows of each table of data."""
-        ranks = (("ranks", self.ranking.drawing.rows),) if self.ranking else ()
+        ranks = (("ranks", self.ranking.drawing.frame),) if self.ranking else ()
         return (("rank-sum", self.data), *ranks) if self.others else ranks
 
 
@@ -70,7 +73,7 @@ def _view(paper: str, found: AlgorithmTests, judged: Judged) -> AlgorithmsView:
             (problem, tuple(words[problem, other] for other in others))
             for problem in experiment.problems
         ),
-        data=_data(experiment.proposed, found.tests),
+        data=rank_sums(rows_of_tests([found])),
         budgets=tuple(found.budgets.items()),
         printed=_printed_p_values(experiment, judged),
         ranking=_ranking(paper, experiment, found.friedman, judged) if found.friedman else None,
@@ -82,18 +85,6 @@ def _words(test: RankSumTest) -> str:
     return (
         f"p = {number(test.p)}, Holm {number(test.holm)}, "
         f"wins {test.wins:.2f} [{low:.2f}, {high:.2f}]"
-    )
-
-
-def _data(proposed: str, tests: Sequence[RankSumTest]) -> Rows:
-    headings = ("problem", "algorithm", "against", "p", "p by Holm", "wins", "low", "high")
-    return (
-        headings,
-        *(
-            (test.problem, proposed, test.against, *(f"{value:.6g}" for value in values))
-            for test in tests
-            for values in [(test.p, test.holm, test.wins, *test.interval)]
-        ),
     )
 
 

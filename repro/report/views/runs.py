@@ -3,10 +3,11 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+import pandas as pd
+
 from repro.judge.judgement import Judgement
 from repro.model.identifiers import anchor
-from repro.report.drawings.style import Rows
-from repro.report.files import csv_text
+from repro.report.frames import DIGITS, csv_text
 from repro.report.views.algorithms import AlgorithmsView, algorithms_views
 from repro.report.views.centre_bias import CentreBiasView, centre_bias_view
 from repro.report.views.distribution import Distribution, distributions
@@ -39,18 +40,21 @@ class RunsView:
 
     def files(self, key: str) -> dict[str, str]:
         """Return the CSV files of a paper's page, by their place in the reports folder."""
-        return {f"tables/{key}-{name}.csv": csv_text(rows) for name, rows in self.tables().items()}
+        return {
+            f"tables/{key}-{name}.csv": csv_text(frame, DIGITS)
+            for name, frame in self.tables().items()
+        }
 
-    def tables(self) -> Mapping[str, Rows]:
+    def tables(self) -> Mapping[str, pd.DataFrame]:
         """Return the data of everything shown, by the name of its file."""
         named = [
-            (kind, c.experiment.name, rows) for c in self.comparisons for kind, rows in c.tables()
+            (kind, c.experiment.name, frame) for c in self.comparisons for kind, frame in c.tables()
         ]
         named += [
-            ("centre bias", b.found.experiment.name, b.drawing.rows) for b in self.centre_biases
+            ("centre bias", b.found.experiment.name, b.drawing.frame) for b in self.centre_biases
         ]
-        spread = {each.name: each.drawing.rows for each in self.distributions}
-        return {anchor(kind, name): rows for kind, name, rows in named} | spread
+        spread = {each.name: each.drawing.frame for each in self.distributions}
+        return {anchor(kind, name): frame for kind, name, frame in named} | spread
 
 
 def runs_view(judgement: Judgement) -> RunsView:

@@ -15,6 +15,7 @@ from repro.model.paper import Paper
 from repro.report.drawings.draw import Drawing, draw
 from tests.small_arms import ARM, SHOWING_AN_ARM
 from tests.small_papers import evidence_of
+from tests.written_rows import rows_of
 
 PAPERS = (LIANG, MOUSA, SMWOA, SYJI)
 SVG = "{http://www.w3.org/2000/svg}"
@@ -81,7 +82,7 @@ def test_the_text_alternative_says_what_the_view_shows() -> None:
 
 
 def test_the_data_are_the_origins_of_the_frames_over_time() -> None:
-    headings, first, *_, last = drawn().rows
+    headings, first, *_, last = rows_of(drawn().frame)
     assert headings[:2] == ("motion", "time [s]")
     assert headings[2:5] == ("x of base [m]", "y of base [m]", "z of base [m]")
     assert headings[-3:] == ("x of tool [m]", "y of tool [m]", "z of tool [m]")

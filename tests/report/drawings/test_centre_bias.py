@@ -4,6 +4,7 @@ from xml.etree import ElementTree as ET
 from repro.judge.centre_bias import FLAG, Bias
 from repro.report.drawings.centre_bias import bias_plot
 from repro.report.drawings.draw import Drawing, drawing
+from tests.written_rows import rows_of
 
 SVG = "{http://www.w3.org/2000/svg}"
 NAMES = ("WOA", "random search (floor)")
@@ -49,7 +50,7 @@ def test_description_says_every_ratio_and_who_is_flagged() -> None:
 
 
 def test_data_hold_the_mean_and_every_problem() -> None:
-    headings, *rows = drawn(FOUND).rows
+    headings, *rows = rows_of(drawn(FOUND).frame)
 
     assert headings == ("algorithm", "shift", "problem", "ratio", "low", "high", "p by Holm")
     assert len(rows) == 4 * 3

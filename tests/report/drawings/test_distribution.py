@@ -5,6 +5,7 @@ from hypothesis import strategies as st
 
 from repro.report.drawings.distribution import Panel, Strip, distribution_plot
 from repro.report.drawings.draw import Drawing, drawing
+from tests.written_rows import rows_of
 
 
 def strip(name: str, values: list[float], **printed: float) -> Strip:
@@ -33,7 +34,7 @@ def test_quantiles_are_values_of_runs_in_order(values: list[float]) -> None:
 def test_any_runs_can_be_drawn(values: list[float]) -> None:
     shown = drawn(strip("A", values, mean=1.0), strip("B", values))
 
-    assert shown.rows[1][2] == "A"
+    assert rows_of(shown.frame)[1][2] == "A"
     assert "nan" not in shown.svg.lower()
 
 
@@ -46,7 +47,7 @@ def test_a_printed_single_run_is_named_as_such() -> None:
     shown = drawn(strip("A", [1.0, 2.0], single=1.5))
 
     assert "A 1 (printed (one run) 1.500)" in shown.description
-    assert shown.rows[1][-3:] == ("", "", "1.5")
+    assert rows_of(shown.frame)[1][-3:] == ("", "", "1.5")
 
 
 def test_long_names_are_broken_into_lines() -> None:

@@ -18,6 +18,7 @@ from repro.report.drawings import draw as drawn_figures
 from repro.report.drawings.draw import Drawing
 from repro.report.words import number
 from tests.small_papers import evidence_of
+from tests.written_rows import rows_of
 
 SVG = "{http://www.w3.org/2000/svg}"
 CONVERGENCE, TOOL_PATH, SET_MOTION, MOTION, _ARM = PAPER.figures
@@ -152,7 +153,7 @@ def test_a_drawing_is_light(drawing: Drawing) -> None:
 
 
 def test_rows_are_a_table_with_headings(drawing: Drawing) -> None:
-    headings, *rows = drawing.rows
+    headings, *rows = rows_of(drawing.frame)
     assert rows
     assert {len(row) for row in rows} == {len(headings)}
     assert "nan" not in {text for row in rows for text in row}
@@ -178,7 +179,7 @@ def test_description_of_single_runs_speaks_of_no_median(evidence: Evidence) -> N
 
 
 def test_rows_of_convergence_hold_the_lowest_median_and_highest_run(evidence: Evidence) -> None:
-    rows = draw(CONVERGENCE, evidence, "a").rows
+    rows = rows_of(draw(CONVERGENCE, evidence, "a").frame)
     final = next(row for row in rows if row[:3] == ("F5", "WOA", "60"))
     costs = np.sort(evidence.runs["benchmark", "F5", "WOA"].histories[0, :, -1])
     assert [float(text) for text in final[3:]] == pytest.approx(costs, rel=1e-5)
@@ -187,7 +188,7 @@ def test_rows_of_convergence_hold_the_lowest_median_and_highest_run(evidence: Ev
 def test_a_long_history_is_thinned_out_but_keeps_both_ends(evidence: Evidence) -> None:
     cell = ("benchmark", "F1", "WOA")
     long = np.geomspace(1, 1e-9, 6000).reshape(1, 1, -1)
-    rows = draw(CONVERGENCE, with_histories(evidence, cell, long), "a").rows
+    rows = rows_of(draw(CONVERGENCE, with_histories(evidence, cell, long), "a").frame)
     own = [row for row in rows if row[:2] == ("F1", "WOA")]
     assert len(own) <= 80
     assert (own[0][2], own[-1][2]) == ("1", "6000")
@@ -211,7 +212,7 @@ def test_a_search_that_starts_without_a_cost_is_drawn_from_its_first(evidence: E
     cell = ("benchmark", "F1", "WOA")
     histories = evidence.runs[cell].histories.copy()
     histories[..., :5] = np.inf
-    rows = draw(CONVERGENCE, with_histories(evidence, cell, histories), "a").rows
+    rows = rows_of(draw(CONVERGENCE, with_histories(evidence, cell, histories), "a").frame)
     assert next(row for row in rows if row[:2] == ("F1", "WOA"))[2] == "6"
 
 
@@ -219,7 +220,7 @@ def test_without_runs_the_drawing_says_so() -> None:
     drawn = draw(CONVERGENCE, evidence_of(PAPER, {}), "a")
     assert texts(drawn) == ["No runs yet"]
     assert drawn.description == "No runs yet."
-    assert len(drawn.rows) == 1
+    assert len(rows_of(drawn.frame)) == 1
 
 
 def test_missing_runs_are_named(evidence: Evidence) -> None:
@@ -258,7 +259,7 @@ def test_motion_has_a_column_per_algorithm_and_one_of_the_optimum(evidence: Evid
     drawn = draw(MOTION, evidence, "a")
     best = FANUC.shortest()
     mean = evidence.values(("motion", "FANUC", "WOA"), "total")[0].mean()
-    assert {row[0] for row in drawn.rows[1:]} == {"WOA", "IWOA", "certified optimum"}
+    assert {row[0] for row in rows_of(drawn.frame)[1:]} == {"WOA", "IWOA", "certified optimum"}
     assert {"WOA", "IWOA", "certified optimum"} <= set(texts(drawn))
     assert f"= {best.sum():.4g} s" in drawn.description
     assert f"= {mean:.4g} s" in drawn.description

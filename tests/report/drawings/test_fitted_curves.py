@@ -9,6 +9,7 @@ from repro.model.figures import JointCurves
 from repro.report.drawings import draw as drawn_figures
 from repro.report.drawings.draw import Drawing
 from tests.small_papers import evidence_of
+from tests.written_rows import rows_of
 
 FIGURE = JointCurves(
     label="Fig. 4", caption="Joints", paths=QUINTIC, experiment=FIT.name, algorithms=("WOA", "GA")
@@ -33,7 +34,7 @@ def drawing() -> Drawing:
 
 
 def test_columns_are_the_algorithms_that_have_run_and_the_desired_path(drawing: Drawing) -> None:
-    assert {row[0] for row in drawing.rows[1:]} == {"WOA", "desired path"}
+    assert {row[0] for row in rows_of(drawing.frame)[1:]} == {"WOA", "desired path"}
     assert "No runs yet of GA." in drawing.description
 
 
@@ -44,10 +45,10 @@ def test_an_algorithm_is_drawn_by_its_median_run(drawing: Drawing) -> None:
 
 
 def test_data_are_angle_velocity_and_acceleration_of_every_joint(drawing: Drawing) -> None:
-    desired = [row for row in drawing.rows if row[0] == "desired path"]
+    desired = [row for row in rows_of(drawing.frame) if row[0] == "desired path"]
     first, last = (np.array(row[1:], dtype=float) for row in (desired[0], desired[-1]))
 
-    assert len(drawing.rows[0]) == 2 + 3 * 6
+    assert len(rows_of(drawing.frame)[0]) == 2 + 3 * 6
     assert first[1:7] == pytest.approx([fit.start for fit in QUINTIC])
     assert last[1:7] == pytest.approx([fit.end for fit in QUINTIC])
     assert (first[0], last[0]) == (0.0, 2.0)

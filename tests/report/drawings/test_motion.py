@@ -15,6 +15,7 @@ from repro.report.drawings.draw import Drawing, draw
 from repro.robotics.shown_motion import ShowsMotion, highest
 from tests.small_arms import ARM, SWING
 from tests.small_papers import EXPERIMENT, PAPER, Bowl, evidence_of
+from tests.written_rows import rows_of
 
 Vector = NDArray[np.float64]
 SPEED = 3.0
@@ -74,7 +75,7 @@ def test_motion_of_ones_own_is_drawn_for_the_best_run_and_no_optimum_is_claimed(
 
     assert isinstance(WAVE, ShowsMotion)
     assert "guess: 2 + 2 = 4 s, with at most 0.7854 rad/s" in drawing.description
-    assert {row[0] for row in drawing.rows[1:]} == {"guess"}
+    assert {row[0] for row in rows_of(drawing.frame)[1:]} == {"guess"}
     assert "No runs yet of wide" in drawing.description
     assert "at rest" not in drawing.description
 
@@ -86,7 +87,7 @@ def test_motion_without_runs_says_so() -> None:
 def test_fixed_point_of_ones_own_motion_is_drawn_without_runs() -> None:
     drawing = drawn(replace(FIGURE, durations=(1.0, 2.0), experiment="", algorithms=()))
 
-    last = drawing.rows[-1]
+    last = rows_of(drawing.frame)[-1]
     assert float(last[1]) == 2.0
     assert float(last[2]) == pytest.approx(0.0, abs=1e-9)
 
@@ -123,7 +124,7 @@ def test_tool_path_of_ones_own_motion_passes_its_stops() -> None:
         printed_waypoints=(), durations=(2.0, 0.5),
     )  # fmt: skip
 
-    rows = draw(figure, evidence(), "path").rows
+    rows = rows_of(draw(figure, evidence(), "path").frame)
 
     assert len([row for row in rows if row[0] == "computed waypoint"]) == 3
     with pytest.raises(DeclarationError, match="Figure 2: a problem of one's own needs a point"):

@@ -8,6 +8,7 @@ import pytest
 from repro.report.drawings.draw import Drawing, drawing
 from repro.report.drawings.ranks import rank_plot
 from repro.statistics.friedman import friedman
+from tests.written_rows import rows_of
 
 NAMES = ("WOA", "PSO", "DE", "GSA", "SMA")
 SVG = "{http://www.w3.org/2000/svg}"
@@ -53,7 +54,7 @@ def bars(shown: Drawing) -> int:
 
 
 def test_data_hold_every_rank_from_the_lowest_on() -> None:
-    headings, *rows = CLEAR.rows
+    headings, *rows = rows_of(CLEAR.frame)
 
     assert headings[:3] == ("algorithm", "average rank", "printed average rank")
     assert [row[0] for row in rows] == list(NAMES)

@@ -7,6 +7,7 @@ from repro.model.figures import SplineMotion
 from repro.report.drawings.draw import Drawing, draw
 from repro.robotics.proofs.spline_minimum import prove
 from tests.small_papers import evidence_of
+from tests.written_rows import rows_of
 
 LONG, SHORT = np.full(5, 6.0), np.full(5, 4.0)
 ANGLE, ALL, *_ = PAPER.figures
@@ -31,7 +32,7 @@ def every_joint() -> Drawing:
 def test_motions_are_the_printed_the_shortest_found_and_the_proved_one(
     every_joint: Drawing,
 ) -> None:
-    ends = {row[0]: float(row[1]) for row in every_joint.rows[1:]}
+    ends = {row[0]: float(row[1]) for row in rows_of(every_joint.frame)[1:]}
 
     assert ends == pytest.approx(
         {
@@ -44,9 +45,9 @@ def test_motions_are_the_printed_the_shortest_found_and_the_proved_one(
 
 
 def test_data_are_four_derivatives_of_six_joints_from_node_to_node(every_joint: Drawing) -> None:
-    found = [row[2:] for row in every_joint.rows if row[0] == "SMWOA, re-run"]
+    found = [row[2:] for row in rows_of(every_joint.frame) if row[0] == "SMWOA, re-run"]
 
-    assert len(every_joint.rows[0]) == 2 + 4 * 6
+    assert len(rows_of(every_joint.frame)[0]) == 2 + 4 * 6
     assert np.array(found[0][:6], dtype=float) == pytest.approx(UR5.nodes[0], rel=1e-5)
     assert np.array(found[-1][:6], dtype=float) == pytest.approx(UR5.nodes[-1], rel=1e-5)
 
@@ -64,7 +65,7 @@ def test_description_tells_shares_of_the_limits_and_speeds_at_the_ends(
 def test_a_single_joint_is_drawn_in_one_panel_with_the_motions_in_the_legend() -> None:
     found = drawing(ANGLE)
 
-    assert len(found.rows[0]) == 3
+    assert len(rows_of(found.frame)[0]) == 3
     assert all(name in found.svg for name in ("printed durations", "SMWOA, re-run, 20 s"))
     assert "joint 1" not in found.svg.partition("</desc>")[2]
 
@@ -74,4 +75,7 @@ def test_every_figure_of_the_paper_is_drawn_without_any_run(figure: SplineMotion
     drawn = draw(figure, evidence_of(PAPER, {}), "fig")
 
     assert "No runs yet of SMWOA." in drawn.description
-    assert {row[0] for row in drawn.rows[1:]} == {"printed durations", "certified optimum"}
+    assert {row[0] for row in rows_of(drawn.frame)[1:]} == {
+        "printed durations",
+        "certified optimum",
+    }

@@ -12,6 +12,7 @@ from repro.report.drawings.draw import Drawing, draw
 from repro.report.drawings.style import COLOURS, line_style
 from repro.robotics import MinimumTime, quintic
 from tests.small_papers import evidence_of
+from tests.written_rows import rows_of
 
 NO_RUNS = evidence_of(PAPER, {})
 SET_MOTION = PAPER.figures[2]
@@ -50,8 +51,8 @@ def test_costs_without_decades_stand_at_their_own_value(costs: list[float]) -> N
 def test_a_motion_with_set_durations_needs_no_runs() -> None:
     drawn = draw(SET_MOTION, NO_RUNS, "a")
     assert "5 + 5 = 10 s, with at most 1.534 rad/s, 0.9445 rad/s²" in drawn.description
-    assert drawn.rows[-1][:2] == ("durations as set", "10")
-    assert float(drawn.rows[-1][2]) == FANUC.waypoints[-1][0]
+    assert rows_of(drawn.frame)[-1][:2] == ("durations as set", "10")
+    assert float(rows_of(drawn.frame)[-1][2]) == FANUC.waypoints[-1][0]
 
 
 def test_limits_are_drawn_with_their_label() -> None:
@@ -64,7 +65,7 @@ def test_jerk_is_drawn_where_it_is_limited() -> None:
     figure = Motion(label="F", caption="c", problem=limited, durations=(5.0, 5.0))
     drawn = draw(figure, NO_RUNS, "a")
     assert "limit 20" in texts(drawn)
-    assert len(drawn.rows[0]) == 2 + 4 * 6
+    assert len(rows_of(drawn.frame)[0]) == 2 + 4 * 6
 
 
 def test_tool_path_tells_how_far_the_print_lies_off() -> None:
@@ -85,8 +86,8 @@ def test_tool_path_tells_how_far_the_print_lies_off() -> None:
     )
     drawn = draw(figure, NO_RUNS, "a")
     assert "0.00, 3.00 mm" in drawn.description
-    assert ("printed waypoint", "2", "0", "2", "0.003") in drawn.rows
-    path = [row for row in drawn.rows if row[0] == "tool path"]
+    assert ("printed waypoint", "2", "0", "2", "0.003") in rows_of(drawn.frame)
+    path = [row for row in rows_of(drawn.frame) if row[0] == "tool path"]
     radii = [np.hypot(float(x), float(y)) for _, _, x, y, _ in path]
     assert radii == pytest.approx([2.0] * len(path), rel=1e-5)
 

@@ -11,6 +11,7 @@ from repro.model.paper import Paper
 from repro.report.drawings.draw import Drawing
 from repro.report.views.distribution import PANELS, distributions
 from tests.small_papers import evidence_of
+from tests.written_rows import rows_of
 
 SVG = "{http://www.w3.org/2000/svg}"
 MOST_BYTES = 60_000
@@ -57,7 +58,9 @@ def test_every_table_with_runs_is_drawn_and_no_other() -> None:
 
 def test_a_long_table_is_drawn_in_parts_in_the_order_of_its_rows() -> None:
     names = [each.name for each in distributions(SMWOA, evidence(SMWOA))]
-    problems = [list(dict.fromkeys(row[0] for row in shown.rows[1:])) for shown in TABLE_3]
+    problems = [
+        list(dict.fromkeys(row[0] for row in rows_of(shown.frame)[1:])) for shown in TABLE_3
+    ]
 
     assert names == [f"runs-table-3-part-{part}" for part in (1, 2, 3)]
     assert [name for part in problems for name in part] == [f"F{k}" for k in range(1, 16)]
@@ -65,7 +68,7 @@ def test_a_long_table_is_drawn_in_parts_in_the_order_of_its_rows() -> None:
 
 
 def test_data_hold_quartiles_of_all_repeats_and_what_is_printed() -> None:
-    headings, *rows = TABLE_II.rows
+    headings, *rows = rows_of(TABLE_II.frame)
     row = next(dict(zip(headings, r, strict=True)) for r in rows if r[0] == "F5" and r[2] == "WOA")
     costs = np.sort(evidence(LIANG).values(("benchmark", "F5", "WOA")).ravel())
 
@@ -90,7 +93,7 @@ def test_description_says_medians_and_printed_means() -> None:
 
 
 def test_zeros_stand_at_a_mark_of_their_own() -> None:
-    headings, *rows = WITH_ZEROS.rows
+    headings, *rows = rows_of(WITH_ZEROS.frame)
 
     assert texts(WITH_ZEROS).count("0") == 4
     assert "stand at the mark 0" in WITH_ZEROS.description

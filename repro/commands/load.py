@@ -1,0 +1,157 @@
+"""`repro.load`: what a reports folder or a store holds, as DataFrames."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from os import PathLike, fspath
+from pathlib import Path
+from typing import Any, Protocol
+
+import pandas as pd
+
+from repro.commands.catalogue import found_papers
+from repro.commands.stored_results import Stored
+from repro.errors import InputError
+from repro.report.frames import (
+    audit_frame,
+    certificates_frame,
+    findings_frame,
+    runs_frame,
+    standings_frame,
+    tests_frame,
+)
+from repro.report.results import Json, read_results
+from repro.report.run_files import place_of_runs, read_runs
+from repro.runs.raw_runs import PROTOCOL
+from repro.runs.store.file import NAME
+
+RESULTS = "results.json"
+
+
+class Source(Protocol):
+    """Where results come from: entries of results.json, runs and curves."""
+
+    place: Path
+
+    @property
+    def keys(self) -> tuple[str, ...]:
+        """The papers of which something may be had."""
+
+    def entries(self) -> list[Json]:
+        """Return what results.json says of each paper."""
+
+    def runs(self, key: str) -> pd.DataFrame:
+        """Return every finished run of a paper."""
+
+    def curves(self, key: str, cell: tuple[str, str, str], study: str) -> pd.DataFrame:
+        """Return the best cost of every run after each iteration."""
+
+
+@dataclass(frozen=True)
+class Results:
+    """Results as DataFrames, each read when it is first asked for; docs/data.md has the columns."""
+
+    source: Source = field(repr=False)
+
+    @property
+    def papers(self) -> tuple[str, ...]:
+        """The keys of the papers."""
+        return self.source.keys
+
+    @cached_property
+    def _entries(self) -> list[Json]:
+        return self.source.entries()
+
+    @cached_property
+    def findings(self) -> pd.DataFrame:
+        """A row for each printed number or sentence, with its verdict."""
+        return findings_frame(self._entries)
+
+    @cached_property
+    def audit(self) -> pd.DataFrame:
+        """A row for each thing that the printed tables say about themselves."""
+        return audit_frame(self._entries)
+
+    @cached_property
+    def certificates(self) -> pd.DataFrame:
+        """A row for each motion whose least time was asked for."""
+        return certificates_frame(self._entries)
+
+    @cached_property
+    def tests(self) -> pd.DataFrame:
+        """A row for each rank-sum test, and for each algorithm's rank by Friedman's test."""
+        return tests_frame(self._entries)
+
+    @cached_property
+    def standings(self) -> pd.DataFrame:
+        """A row for each algorithm on each problem, beside the baselines."""
+        return standings_frame(self._entries)
+
+    def runs(self, key: str) -> pd.DataFrame:
+        """Return a row for each finished run of a paper; InputError for a key without runs."""
+        self._checked(key)
+        return self.source.runs(key)
+
+    def curves(
+        self, key: str, experiment: str, problem: str, algorithm: str, *, study: str = PROTOCOL
+    ) -> pd.DataFrame:
+        """Return the best cost after each iteration: a row a run, a column an iteration.
+
+        InputError where it is not read from a store, and for a cell that has no run.
+        """
+        self._checked(key)
+        return self.source.curves(key, (experiment, problem, algorithm), study)
+
+    def _checked(self, key: str) -> None:
+        if key not in self.papers:
+            message = f"no paper {key!r} in {self.source.place}; it has {', '.join(self.papers)}"
+            raise InputError(message)
+
+
+def load(place: str | PathLike[str], papers: Iterable[str] = ()) -> Results:
+    """Return what a folder of reports, or a store, holds.
+
+    `papers` are keys, files and folders of the papers of a store, by default all that are known
+    here. InputError where the folder is neither.
+    """
+    path = Path(fspath(place))
+    folder = path.parent if path.name in {RESULTS, NAME} else path
+    if (folder / NAME).exists() and path.name != RESULTS:
+        return Results(Stored(place=folder, papers=found_papers(papers)))
+    if (results := read_results(folder / RESULTS)) is not None:
+        return Results(Reports(place=folder, results=results))
+    message = f"{place} is neither a folder of reports with {RESULTS} nor a store with {NAME}"
+    raise InputError(message)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Reports:
+    """A folder that `repro report` wrote."""
+
+    place: Path
+    results: Json
+
+    @property
+    def keys(self) -> tuple[str, ...]:
+        """The papers of results.json."""
+        return tuple(entry["key"] for entry in self.results["papers"])
+
+    def entries(self) -> list[Json]:
+        """Return the entries of results.json."""
+        found: list[Json] = self.results["papers"]
+        return found
+
+    def runs(self, key: str) -> pd.DataFrame:
+        """Return the published runs; InputError where there is no file of them."""
+        published = read_runs(self.place / place_of_runs(key))
+        entry = next(entry for entry in self.entries() if entry["key"] == key)
+        how: Mapping[str, Any] = entry["provenance"]
+        return runs_frame(key, published, how.get("drawn_as", {}), how["master_seed"])
+
+    def curves(self, key: str, cell: tuple[str, str, str], study: str) -> pd.DataFrame:
+        """Raise InputError: pages hold no curves."""
+        message = (
+            f"curves of {key} ({study}, {'/'.join(cell)}) are not in {self.place}: "
+            'only a store has them, as in repro.load(".repro")'
+        )
+        raise InputError(message)

@@ -1,0 +1,107 @@
+"""Results of papers from a store, read one run at a time."""
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from itertools import groupby
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+from repro.commands.written_pages import judged
+from repro.errors import InputError
+from repro.model.paper import Paper
+from repro.report.frames import PUBLISHED, RUNS, runs_frame
+from repro.report.results import Json, paper_result
+from repro.runs.plan import Task, plan
+from repro.runs.raw_runs import RawRun, drawn_as, every_task, places, ran_as, raw_run
+from repro.runs.store.store import Store
+from repro.runs.studies import Study, studies
+
+MEASURED = ("repeat", "run", "cost", "evaluations", "seconds")
+NAMES = ("study", "experiment", "problem", "algorithm")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Stored:
+    """A store, and the papers whose runs are looked for in it."""
+
+    place: Path
+    papers: Sequence[Paper]
+
+    @property
+    def keys(self) -> tuple[str, ...]:
+        """The papers that are known here."""
+        return tuple(paper.key for paper in self.papers)
+
+    def entries(self) -> list[Json]:
+        """Judge every paper by the runs that are there, which may take minutes."""
+        with self._opened() as (store, repeats):
+            return [
+                paper_result(judged(store, paper, plan([paper], repeats)), "")
+                for paper in self.papers
+            ]
+
+    def runs(self, key: str) -> pd.DataFrame:
+        """Return the runs of a paper; no more than one cell is held beside the frame."""
+        paper = self._paper(key)
+        with self._opened() as (store, repeats):
+            besides = studies(paper, repeats)
+            parts = list(_parts(store, every_task(paper, repeats), besides))
+        whole = pd.concat(parts, ignore_index=True) if parts else _none()
+        return runs_frame(key, whole, drawn_as(paper, besides))
+
+    def curves(self, key: str, cell: tuple[str, str, str], study: str) -> pd.DataFrame:
+        """Return the curves of one cell; InputError where it has no run."""
+        paper = self._paper(key)
+        experiment, problem, algorithm = cell
+        wanted = (ran_as(study, experiment), problem, algorithm)
+        with self._opened() as (store, repeats):
+            tasks = [task for task in every_task(paper, repeats) if _cell(task) == wanted]
+            records = [record for record in store.records(tasks) if record.reason is None]
+        if not records:
+            message = f"no runs of {'/'.join(wanted)} of {key} in {self.place}"
+            raise InputError(message)
+        index = pd.MultiIndex.from_tuples(
+            [(record.task.repeat, record.task.run) for record in records], names=["repeat", "run"]
+        )
+        length = max(len(record.history) for record in records)
+        columns = pd.RangeIndex(1, length + 1, name="iteration")
+        values = np.full((len(records), length), np.nan)
+        for line, record in zip(values, records, strict=True):
+            line[: len(record.history)] = record.history
+        return pd.DataFrame(values, index=index, columns=columns)
+
+    def _paper(self, key: str) -> Paper:
+        return next(paper for paper in self.papers if paper.key == key)
+
+    @contextmanager
+    def _opened(self) -> Iterator[tuple[Store, int]]:
+        """Yield the store, which is only read, and how many repeats it has."""
+        with Store(self.place, writing=False) as store:
+            yield store, max(1, store.repeats())
+
+
+def _cell(task: Task) -> tuple[str, str, str]:
+    return task.experiment, task.problem, task.algorithm
+
+
+def _parts(store: Store, tasks: Iterator[Task], besides: Sequence[Study]) -> Iterator[pd.DataFrame]:
+    """Yield a frame a cell; names stand in it once."""
+    known = places(besides)
+    for _, group in groupby(tasks, key=_cell):
+        runs = [raw_run(each, known) for each in store.records(group) if each.reason is None]
+        if runs:
+            yield _part(runs)
+
+
+def _part(runs: Sequence[RawRun]) -> pd.DataFrame:
+    columns: dict[str, Any] = {name: getattr(runs[0], name) for name in NAMES}
+    columns |= {name: [getattr(run, name) for run in runs] for name in MEASURED}
+    return pd.DataFrame(columns)
+
+
+def _none() -> pd.DataFrame:
+    return pd.DataFrame(columns=[name for name in RUNS if name in (*PUBLISHED, "seconds")])

@@ -1,0 +1,46 @@
+"""The published runs of a paper: a packed CSV file, of equal bytes for equal runs."""
+
+import gzip
+import io
+from collections.abc import Sequence
+from pathlib import Path
+
+import pandas as pd
+
+from repro.errors import InputError
+from repro.report.frames import PUBLISHED, csv_text, published_frame
+from repro.runs.raw_runs import RawRun
+
+LEVEL = 9  # written once and read often
+_WHOLE = ("repeat", "run", "evaluations")
+
+
+def place_of_runs(key: str) -> str:
+    """Return where the runs of a paper stand in the reports folder."""
+    return f"runs/{key}.csv.gz"
+
+
+def packed_runs(runs: Sequence[RawRun]) -> bytes:
+    """Return the file of these runs; neither a time nor a file's name is kept in it."""
+    packed = io.BytesIO()
+    with gzip.GzipFile("", "wb", LEVEL, packed, mtime=0) as file:
+        file.write(csv_text(published_frame(runs)).encode())
+    return packed.getvalue()
+
+
+def read_runs(path: Path) -> pd.DataFrame:
+    """Return what a file of runs holds, costs to the last bit; InputError where it is none."""
+    kinds = dict.fromkeys(PUBLISHED, str) | dict.fromkeys(_WHOLE, "int64")
+    try:
+        frame = pd.read_csv(path, dtype=kinds, keep_default_na=False)  # a search may be called NA
+        if list(frame) == list(PUBLISHED):
+            # not every version of pandas reads every float to its last bit
+            return frame.assign(cost=frame["cost"].map(float).astype("float64"))
+    except FileNotFoundError:
+        message = f"{path} is not there: `repro report` writes it from a store"
+        raise InputError(message) from None
+    except (OSError, EOFError, ValueError) as error:
+        message = f"{path} holds no published runs: {error}"
+        raise InputError(" ".join(message.split())) from None
+    message = f"{path} holds no published runs: its columns are {', '.join(frame)}"
+    raise InputError(message)
