@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from functools import partial
 
 from repro.commands import catalogue
+from repro.commands.compiled_code import say_whether_kept
 from repro.commands.expected_verdicts import summary
 from repro.commands.interrupts import terminable
 from repro.commands.made_before import remember
@@ -31,6 +32,7 @@ def run(options: Namespace) -> int:
     keys, known = [paper.key for paper in chosen], catalogue.order(chosen)
     tasks = plan(chosen, options.repeats, options.master_seed, protocol_only=options.protocol_only)
     checked_workers(options.workers)
+    say_whether_kept()
     usable_folder(options.reports)
     written = Written(
         tasks=tasks, chosen=keys, known=known,
