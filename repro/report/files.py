@@ -3,8 +3,10 @@
 import csv
 import io
 import os
+import secrets
 from collections.abc import Iterable
 from contextlib import suppress
+from itertools import count
 from pathlib import Path
 
 from repro.errors import InputError
@@ -30,15 +32,36 @@ def csv_text(rows: Iterable[Iterable[object]]) -> str:
     return text.getvalue()
 
 
-def write_file(path: Path, text: str) -> None:
-    """Replace a file at once, so that no reader sees half of it; InputError where it cannot be."""
-    draft = path.with_name(f".{path.name}.{os.getpid()}.draft")  # two calls may write at once
+def set_aside(path: Path) -> Path:
+    """Give a file a name that no other has, and return that; InputError where it cannot be."""
+    try:
+        for number in count(1):
+            aside = path.with_name(f"{path.stem}-set-aside-{number}{path.suffix}")
+            with suppress(FileExistsError):
+                aside.open("xb").close()
+                break
+        return path.replace(aside)
+    except OSError as error:
+        message = f"{path} cannot be set aside: {error.strerror}"
+        raise InputError(message) from None
+
+
+def write_file(path: Path, content: str | bytes) -> None:
+    """Replace a file at once, so that no reader sees half of it; InputError where it cannot be.
+
+    The draft is a new file with a name that nobody can foresee: what stands there is not written.
+    """
+    draft = path.with_name(f".repro-{secrets.token_hex(8)}.draft")
+    made = False
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        draft.write_text(text, encoding="utf-8")
+        with draft.open("xb") as file:  # follows no link
+            made = True
+            file.write(content.encode() if isinstance(content, str) else content)
         draft.replace(path)
     except OSError as error:
-        with suppress(OSError):
-            draft.unlink(missing_ok=True)
+        if made:
+            with suppress(OSError):
+                draft.unlink(missing_ok=True)
         message = f"{path} cannot be written: {error.strerror}"
         raise InputError(message) from None

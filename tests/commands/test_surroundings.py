@@ -21,12 +21,10 @@ with pytest.MonkeyPatch.context() as patch:
 ROOT = Path(__file__).parents[2]
 
 
-def called(
-    *arguments: str, cwd: Path, options: tuple[str, ...] = (), **more: str
-) -> subprocess.CompletedProcess[str]:
+def called(*arguments: str, cwd: Path, **more: str) -> subprocess.CompletedProcess[str]:
     """Return what a process of its own says that knows the small paper alone."""
     environment = {**os.environ, "PYTHONPATH": str(ROOT), **more}
-    call = (sys.executable, *options, "-c", PAPERS, *arguments)
+    call = (sys.executable, "-c", PAPERS, *arguments)
     return subprocess.run(
         call, cwd=cwd, env=environment, check=False, capture_output=True, text=True
     )
