@@ -6,12 +6,14 @@ from collections.abc import Sequence
 
 from repro.commands.arguments import parsed
 from repro.commands.streams import let_readers_leave
+from repro.commands.surroundings import prepare
 from repro.errors import INTERRUPTED, TERMINATED, ReproError, Terminated
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command and return its exit code; bad input is one line on stderr."""
     let_readers_leave()
+    prepare()
     try:
         options = parsed(arguments)
         # of all commands this one alone is loaded

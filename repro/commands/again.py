@@ -10,6 +10,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from repro.commands import catalogue
+from repro.commands.compiled_code import say_whether_kept
 from repro.commands.shown_rows import warn
 from repro.determinism.provenance import provenance
 from repro.errors import InputError, ReproError
@@ -66,6 +67,7 @@ def run(options: Namespace) -> int:
     """Print what the first repeat gives for the number here and now."""
     paper = catalogue.chosen_one(options)
     workers = checked_workers(options.workers)
+    say_whether_kept()
     with local(workers) as executor:
         found = run_again(
             paper,

@@ -9,7 +9,8 @@ from pathlib import Path
 from typing import Any
 
 from repro.commands import catalogue
-from repro.commands.made_before import changed_since, in_words
+from repro.commands.made_before import changed_since, in_words, unreadable
+from repro.commands.shown_rows import warn
 from repro.model.paper import Paper
 from repro.runs.plan import plan
 from repro.runs.store.store import finished_keys
@@ -28,6 +29,8 @@ def run(options: Namespace) -> int:
 def listing(papers: Iterable[Paper], repeats: int, store: Path) -> list[Row]:
     """Return one row per paper; the store is read and not changed."""
     finished = finished_keys(store)
+    if unreadable(store):
+        warn(f"what the runs in {store} were made of cannot be read: no change is named")
     return [_row(paper, repeats, finished, store) for paper in papers]
 
 

@@ -5,8 +5,9 @@ from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
+from repro.commands.shown_rows import warn
 from repro.model.paper import Paper
-from repro.report.files import write_file
+from repro.report.files import set_aside, write_file
 from repro.runs.plan import Memory, made_of
 
 _NAME = "made-of.json"
@@ -17,7 +18,10 @@ Cells = Mapping[str, Mapping[str, str]]
 
 def remember(store: Path, papers: Iterable[Paper]) -> None:
     """Note in the store's folder what the runs of these papers' protocols are made of."""
-    cells = {**_before(store), **dict(_now(papers))}
+    if unreadable(store):
+        path = store / _NAME
+        warn(f"{path} cannot be read; it is set aside as {set_aside(path)}")
+    cells = {**(_before(store) or {}), **dict(_now(papers))}
     pairs = sorted({pair for cell in cells.values() for pair in cell.items()})
     parts = {pair: k for k, pair in enumerate(pairs)}
     content = {
@@ -32,7 +36,7 @@ def changed_since(store: Path, paper: Paper) -> dict[tuple[str, str, str], tuple
 
     A cell that nothing is known of is left out.
     """
-    before = _before(store)
+    before = _before(store) or {}
     found = {}
     for name, now in _now([paper]):
         _, *place = name.split("/")
@@ -69,12 +73,19 @@ def _other_parts(before: Mapping[str, str], now: Mapping[str, str]) -> tuple[str
     )
 
 
-def _before(store: Path) -> Cells:
+def unreadable(store: Path) -> bool:
+    """Return whether the store has a note of what its runs are made of that cannot be read."""
+    return _before(store) is None
+
+
+def _before(store: Path) -> Cells | None:
     try:
         content: Any = json.loads((store / _NAME).read_text(encoding="utf-8"))
         parts = [(str(name), str(digest)) for name, digest in content["parts"]]
         return {
             str(name): dict(parts[k] for k in numbers) for name, numbers in content["cells"].items()
         }
-    except (OSError, ValueError, LookupError, TypeError, AttributeError):
-        return {}  # it only explains: without it nothing is said
+    except FileNotFoundError:
+        return {}
+    except (OSError, ValueError, LookupError, TypeError, AttributeError, RecursionError):
+        return None  # it only explains: without it nothing is said of changes

@@ -6,6 +6,7 @@ from argparse import Namespace
 from repro.commands import catalogue
 from repro.commands.written_pages import write_pages
 from repro.errors import InputError
+from repro.report.earlier import check_folder
 from repro.runs.plan import plan
 from repro.runs.store.store import Store
 
@@ -14,6 +15,8 @@ def run(options: Namespace) -> int:
     """Write the pages; InputError where there is no store."""
     chosen = catalogue.chosen(options)
     tasks = plan(chosen, options.repeats, options.master_seed, protocol_only=options.protocol_only)
+    known = catalogue.order(chosen)
+    check_folder(options.reports, [paper.key for paper in chosen], known)
     with Store(options.store, writing=False) as store:
         if not store.path.exists():
             message = f"there is no store in {options.store}; `repro reproduce` makes one"
@@ -23,7 +26,7 @@ def run(options: Namespace) -> int:
             chosen,
             tasks,
             options.reports,
-            catalogue.order(chosen),
+            known,
             called=options.called,
         )
     sys.stdout.write(f"pages: {options.reports / 'index.html'}\n")

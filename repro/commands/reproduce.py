@@ -4,9 +4,11 @@ import sys
 from argparse import Namespace
 from collections.abc import Sequence
 from functools import partial
+from pathlib import Path
 
 from repro.commands import catalogue
-from repro.commands.expected_verdicts import summary
+from repro.commands.compiled_code import say_whether_kept
+from repro.commands.expected_verdicts import expected_rows, summary
 from repro.commands.interrupts import terminable
 from repro.commands.made_before import remember
 from repro.commands.progress import Progress
@@ -15,6 +17,7 @@ from repro.commands.unchanged import Written
 from repro.commands.written_pages import write_pages
 from repro.determinism.provenance import provenance
 from repro.errors import SOME_RUN_FAILED
+from repro.report.earlier import check_folder
 from repro.report.files import usable_folder
 from repro.report.results import Json, read_results
 from repro.runs.plan import Task, plan
@@ -30,8 +33,7 @@ def run(options: Namespace) -> int:
     chosen = catalogue.chosen(options)
     keys, known = [paper.key for paper in chosen], catalogue.order(chosen)
     tasks = plan(chosen, options.repeats, options.master_seed, protocol_only=options.protocol_only)
-    checked_workers(options.workers)
-    usable_folder(options.reports)
+    lists = _looked_at(options, keys, known)
     written = Written(
         tasks=tasks, chosen=keys, known=known,
         declarations=catalogue.folders(), reports=options.reports,
@@ -57,12 +59,23 @@ def run(options: Namespace) -> int:
     for record in failed:
         warn(f"run {record.task.name} failed: {record.reason}")
     sys.stdout.write(f"pages: {options.reports / 'index.html'}\n")
-    lists = {key: catalogue.expected_file(key, place) for key, place in options.places.items()}
     sys.stdout.write(summary(results or {"papers": []}, lists, options.master_seed))
     for paper in chosen:
         if not paper.experiments:
             sys.stdout.write(f"{paper.key} has no experiments: nothing was to be run\n")
     return SOME_RUN_FAILED if failed else 0
+
+
+def _looked_at(options: Namespace, keys: Sequence[str], known: Sequence[str]) -> dict[str, Path]:
+    """Return the lists of expected verdicts; say or raise before any run what is wrong with it."""
+    checked_workers(options.workers)
+    usable_folder(options.reports)
+    check_folder(options.reports, keys, known)
+    lists = {key: catalogue.expected_file(key, place) for key, place in options.places.items()}
+    for path in lists.values():
+        expected_rows(path)
+    say_whether_kept()
+    return lists
 
 
 def _run(store: Store, tasks: Sequence[Task], options: Namespace) -> list[Record]:

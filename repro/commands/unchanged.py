@@ -19,7 +19,7 @@ from repro.report.files import write_file
 from repro.runs.plan import Task
 from repro.runs.store.store import Store
 
-_NAME = "pages"
+_NAME = "repro-pages"
 _OF_THE_DAY = ("date", "commit")  # what the provenance of a call says besides its machine
 
 

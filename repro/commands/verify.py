@@ -5,6 +5,7 @@ import sys
 from argparse import Namespace
 
 from repro.commands import catalogue
+from repro.commands.compiled_code import say_whether_kept
 from repro.determinism.provenance import provenance
 from repro.errors import SOME_RUN_FAILED, InputError, StoreError
 from repro.runs.plan import plan
@@ -15,6 +16,7 @@ from repro.runs.verify import Outcome, verify
 def run(options: Namespace) -> int:
     """Print the sample; StoreError for damaged rows, InputError where nothing can be compared."""
     folder = options.folder or options.store
+    say_whether_kept()
     with Store(folder, writing=False) as store:
         repeats = max(store.repeats(), options.repeats)
     found = verify(

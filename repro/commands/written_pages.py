@@ -9,6 +9,7 @@ from repro.commands.shown_rows import warn
 from repro.judge.judgement import Judgement, judge
 from repro.model.evidence import Cell, Runs
 from repro.model.paper import Paper
+from repro.report.earlier import keep_earlier
 from repro.report.pages import write_report
 from repro.report.results import Json
 from repro.runs.gather import gather
@@ -35,6 +36,7 @@ def write_pages(
     besides, before it may turn a verdict; without it the store's are taken. `called` says what
     papers from elsewhere than this checkout are called at the command line.
     """
+    keep_earlier(folder, [paper.key for paper in chosen], known, warn)
     own = {paper.key: [task for task in tasks if task.paper == paper.key] for paper in chosen}
     return write_report(
         (_told(judged(store, paper, own[paper.key], run)) for paper in chosen),

@@ -1,16 +1,15 @@
-"""Compilation: one signature per kind of kernel, cached beside the package and never stale.
+"""Compilation: one signature per kind of kernel, its code kept on disk and never stale.
 
-numba decides from one file's time stamp whether its cached machine code is current; it does not
-see a change in a function that the file calls. So the cache lives in a folder named after a
-digest of every compiled source, and a change anywhere starts a fresh one. Compiled sources are all
-modules of the folders in which one imports this module. A function of a user's own has a folder in
-that one, named after a digest of the user's modules that its own one imports, directly or not.
+The engine's compiled code stands in the folder that `kept_code` finds. A function of a user's own
+has a folder in that one, named after a digest of the user's modules that its own one imports,
+directly or not.
 """
 
 import hashlib
-import os
 import re
 import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -18,26 +17,22 @@ import numba
 from numba.types import FunctionType, Tuple, float64, int64, uint64
 
 from repro.determinism.definitions import import_closure
+from repro.determinism.kept_code import kept_in
 from repro.determinism.source_files import is_of_engine, path_of, text_of
 from repro.errors import InputError
 
-_PACKAGE = Path(__file__).parent.parent
+if numba.config.DISABLE_JIT:
+    # an interpreter rounds otherwise than compiled loops, and takes days for their minutes
+    message = "NUMBA_DISABLE_JIT is set: runs are of compiled code, so unset it"
+    raise InputError(message)
+
 _LOCK = threading.Lock()
+_PLACES = ("CACHE_DIR", "CACHE_LOCATOR_CLASSES")  # by which numba finds the folder
 _SHOWN = 200  # characters of what numba says that a message shows
-
-
-def _digest() -> str:
-    texts = {path: path.read_bytes() for path in sorted(_PACKAGE.rglob("*.py"))}
-    marker = f"from {__name__} import".encode()
-    rooms = {path.parent for path, text in texts.items() if marker in text}
-    text = b"".join(text for path, text in texts.items() if path.parent in rooms)
-    return hashlib.sha256(text).hexdigest()[:16]
-
-
-_CACHE = _PACKAGE / "__pycache__" / f"numba-{_digest()}"
-_CACHED = bool(numba.config.CACHE_DIR) or os.access(_PACKAGE, os.W_OK)
-if not numba.config.CACHE_DIR:
-    numba.config.CACHE_DIR = str(_CACHE)
+KEPT = kept_in()
+"""The folder of the engine's compiled code; None where none can be written."""
+if KEPT:  # for code of a user's own too, which may call the engine's
+    numba.config.CACHE_DIR = str(KEPT)
 
 
 def jit(function: Any) -> Any:  # noqa: ANN401 (numba ships no types)
@@ -47,15 +42,22 @@ def jit(function: Any) -> Any:  # noqa: ANN401 (numba ships no types)
     is compiled anew in every process.
     """
     own = "" if is_of_engine(function.__module__) else _sources_of(function.__module__)
-    cached = _CACHED and own is not None
-    with _LOCK:
-        before = numba.config.CACHE_DIR
-        if own:
-            numba.config.CACHE_DIR = str(Path(before) / f"own-{own}")
-        try:
-            return numba.njit(nogil=True, cache=cached, error_model="numpy")(function)
-        finally:
-            numba.config.CACHE_DIR = before
+    with _LOCK, _keeping(own) as kept:
+        return numba.njit(nogil=True, cache=kept, error_model="numpy")(function)
+
+
+@contextmanager
+def _keeping(own: str | None) -> Iterator[bool]:
+    """Let numba keep what is compiled in its folder and nowhere else; yield whether it keeps it."""
+    before = {name: getattr(numba.config, name, None) for name in _PLACES}
+    if KEPT:
+        numba.config.CACHE_DIR = str(KEPT / f"own-{own}" if own else KEPT)
+        numba.config.CACHE_LOCATOR_CLASSES = ""
+    try:
+        yield KEPT is not None and own is not None
+    finally:
+        for name, value in before.items():
+            setattr(numba.config, name, value)
 
 
 def _sources_of(module: str) -> str | None:

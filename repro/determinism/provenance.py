@@ -1,17 +1,25 @@
 """On what and with what the runs were made; taken when they are made."""
 
 import datetime as dt
+import hashlib
 import importlib.metadata
 import os
 import platform
 import subprocess
+from functools import cache
 from pathlib import Path
 
 from repro.determinism.seeds import RULE
+from repro.determinism.settings import settings
 
-DECISIVE = ("packages", "libc", "vector_instructions", "system", "seed_rule")
+DECISIVE = (
+    *("packages", "libc", "vector_instructions", "array_instructions", "linear_algebra"),
+    *("settings", "system", "seed_rule"),
+)
 """What decides the last bits of a run, by its name in the provenance."""
 PACKAGES = ("numpy", "numba", "llvmlite", "scipy", "matplotlib", "jinja2")
+_PACKAGE = Path(__file__).parent.parent
+_DISTRIBUTION = "repro-whales"
 
 
 def provenance() -> dict[str, object]:
@@ -25,20 +33,58 @@ def provenance() -> dict[str, object]:
         "libc": " ".join(platform.libc_ver()),
         "processor": _processor(),
         "vector_instructions": _vector_instructions(),
+        "array_instructions": _array_instructions(),
+        "linear_algebra": _linear_algebra(),
+        "settings": settings(),
         "cores": os.cpu_count(),
         "seed_rule": RULE,
     }
 
 
 def _commit() -> str:
-    command = ("git", "describe", "--always", "--dirty", "--abbrev=12", "--exclude=*")
+    """Return the commit of the package's own files; elsewhere its version and a digest of them.
+
+    A repository around the package says nothing of it unless it tracks it.
+    """
+    module = Path(__file__).name
+    if _git("ls-files", "--error-unmatch", "--", module) is not None:
+        found = _git("describe", "--always", "--dirty", "--abbrev=12", "--exclude=*")
+        if found:
+            return found
+    return f"{_version()}, sources {_sources()} (no git checkout)"
+
+
+def _git(*command: str) -> str | None:
+    """Return what git says of the folder of this file, whatever GIT_* names; None of an error."""
+    environment = {k: v for k, v in os.environ.items() if not k.startswith("GIT_")}
     try:
-        found = subprocess.run(  # noqa: S603 (a fixed command)
-            command, cwd=Path(__file__).parent, capture_output=True, text=True, check=True
+        found = subprocess.run(  # noqa: S603 (fixed commands)
+            ("git", *command),  # noqa: S607 (whichever git there is)
+            cwd=Path(__file__).parent,
+            env=environment,
+            capture_output=True,
+            text=True,
+            check=True,
         )
     except (OSError, subprocess.CalledProcessError):
-        return "unknown (no git checkout)"
+        return None
     return found.stdout.strip()
+
+
+def _version() -> str:
+    try:
+        return f"version {importlib.metadata.version(_DISTRIBUTION)}"
+    except importlib.metadata.PackageNotFoundError:
+        return "no version"
+
+
+@cache
+def _sources() -> str:
+    found = hashlib.sha256()
+    for path in sorted(_PACKAGE.rglob("*.py")):
+        found.update(f"\0{path.relative_to(_PACKAGE).as_posix()}\0".encode())
+        found.update(path.read_bytes())
+    return found.hexdigest()[:12]
 
 
 def _processor() -> str:
@@ -51,9 +97,30 @@ def _processor() -> str:
 
 
 def _vector_instructions() -> str:
-    """Return what decides the last bit of compiled arithmetic besides the libraries."""
-    import llvmlite.binding as llvm  # noqa: PLC0415 (slow to load and needed for runs only)
+    """Return for which instructions numba compiles: settings may make them fewer."""
+    from numba.core.registry import cpu_target  # noqa: PLC0415 (slow, and needed for runs only)
 
-    features = llvm.get_host_cpu_features()
+    _, _, features = cpu_target.target_context.codegen().magic_tuple()
     wanted = ("fma", "avx2", "avx512f", "sve", "neon")
-    return " ".join(name for name in wanted if features.get(name)) or "none of note"
+    used = set(features.split(","))
+    return " ".join(name for name in wanted if f"+{name}" in used) or "none of note"
+
+
+def _array_instructions() -> str:
+    """Return the instructions for which NumPy chose its loops when it was loaded."""
+    import numpy as np  # noqa: PLC0415 (as above)
+
+    chosen = np.show_config(mode="dicts").get("SIMD Extensions", {})
+    return " ".join((*chosen.get("baseline", ()), *chosen.get("found", ()))) or "none of note"
+
+
+def _linear_algebra() -> list[str]:
+    """Return the libraries that multiply and factor matrices, with the kernels that they chose."""
+    import scipy.linalg  # noqa: F401, PLC0415 (it loads the second of them)
+    from threadpoolctl import threadpool_info  # noqa: PLC0415
+
+    return sorted(
+        f"{one['internal_api']} {one['version']} {one.get('architecture', '')}".strip()
+        for one in threadpool_info()
+        if one["user_api"] == "blas"
+    )

@@ -1,7 +1,9 @@
 """Files of the reports folder: whether it can be written, and writing each at once."""
 
 import os
+import secrets
 from contextlib import suppress
+from itertools import count
 from pathlib import Path
 
 from repro.errors import InputError
@@ -20,15 +22,36 @@ def usable_folder(folder: Path) -> None:
         raise InputError(message)
 
 
+def set_aside(path: Path) -> Path:
+    """Give a file a name that no other has, and return that; InputError where it cannot be."""
+    try:
+        for number in count(1):
+            aside = path.with_name(f"{path.stem}-set-aside-{number}{path.suffix}")
+            with suppress(FileExistsError):
+                aside.open("xb").close()
+                break
+        return path.replace(aside)
+    except OSError as error:
+        message = f"{path} cannot be set aside: {error.strerror}"
+        raise InputError(message) from None
+
+
 def write_file(path: Path, content: str | bytes) -> None:
-    """Replace a file at once, so that no reader sees half of it; InputError where it cannot be."""
-    draft = path.with_name(f".{path.name}.{os.getpid()}.draft")  # two calls may write at once
+    """Replace a file at once, so that no reader sees half of it; InputError where it cannot be.
+
+    The draft is a new file with a name that nobody can foresee: what stands there is not written.
+    """
+    draft = path.with_name(f".repro-{secrets.token_hex(8)}.draft")
+    made = False
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        draft.write_bytes(content.encode() if isinstance(content, str) else content)
+        with draft.open("xb") as file:  # follows no link
+            made = True
+            file.write(content.encode() if isinstance(content, str) else content)
         draft.replace(path)
     except OSError as error:
-        with suppress(OSError):
-            draft.unlink(missing_ok=True)
+        if made:
+            with suppress(OSError):
+                draft.unlink(missing_ok=True)
         message = f"{path} cannot be written: {error.strerror}"
         raise InputError(message) from None

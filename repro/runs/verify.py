@@ -2,7 +2,7 @@
 
 import random
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import asdict, dataclass, replace
 from enum import Enum
 from pathlib import Path
@@ -140,8 +140,21 @@ def compare(stored: Record, again: Record) -> RunTwice:
     outcome = Outcome.LAST_BITS if difference <= LAST_BITS else Outcome.MISMATCH
     note = (
         f"cost {again.cost!r}, stored {stored.cost!r}, largest relative difference {difference:g}"
+        f"{_parting(stored.history, again.history)}"
     )
     return RunTwice(run=name, outcome=outcome, difference=difference, note=note)
+
+
+def _parting(stored: NDArray[np.float64], again: NDArray[np.float64]) -> str:
+    """Return in words where two histories part first; nothing where they do not."""
+    length = min(len(stored), len(again))
+    (places,) = np.nonzero(
+        (stored[:length] + 0.0).view(np.int64) != (again[:length] + 0.0).view(np.int64)
+    )
+    if not len(places):
+        return ""
+    k = int(places[0])
+    return f", first at iteration {k + 1}: {float(again[k])!r}, stored {float(stored[k])!r}"
 
 
 def _difference(one: NDArray[np.float64], other: NDArray[np.float64]) -> float:
@@ -158,9 +171,18 @@ def _departures(
     environments: Iterable[dict[str, object]], here: dict[str, object]
 ) -> Iterable[str]:
     seen = {
-        f"{name} was {environment.get(name)}, is {here.get(name)}"
+        f"{part} was {was}, is {now}"
         for environment in environments
         for name in DECISIVE
-        if environment.get(name) != here.get(name)
+        for part, was, now in _other_parts(name, environment.get(name), here.get(name))
     }
     return sorted(seen)
+
+
+def _other_parts(name: str, was: object, now: object) -> Iterator[tuple[str, object, object]]:
+    """Yield what differs, a package or a setting by its own name."""
+    if isinstance(was, dict) and isinstance(now, dict):
+        for key in sorted({*was, *now}):
+            yield from _other_parts(f"{name}, {key}", was.get(key), now.get(key))
+    elif was != now:
+        yield name, "not noted" if was is None else was, "not noted" if now is None else now

@@ -4,7 +4,7 @@ from pathlib import Path
 import pytest
 
 from repro.__main__ import main
-from repro.commands.made_before import changed_since, in_words, remember
+from repro.commands.made_before import changed_since, in_words, remember, unreadable
 from tests.small_papers import EXPERIMENT, PAPER, Bowl, Guessing, let_be_known
 
 WIDER = replace(EXPERIMENT, algorithms={**EXPERIMENT.algorithms, "wide": Guessing(width=5.0)})
@@ -41,6 +41,19 @@ def test_a_memory_that_cannot_be_read_says_nothing(tmp_path: Path) -> None:
         (tmp_path / "made-of.json").write_text(text)
 
         assert changed_since(tmp_path, PAPER) == {}
+        assert unreadable(tmp_path)
+
+
+def test_a_memory_that_cannot_be_read_is_set_aside_and_not_replaced(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "made-of.json").write_text("somebody's")
+
+    remember(tmp_path, [PAPER])
+
+    assert (tmp_path / "made-of-set-aside-1.json").read_text() == "somebody's"
+    assert "made-of.json cannot be read; it is set aside as " in capsys.readouterr().err
+    assert not unreadable(tmp_path)
 
 
 def test_a_few_names_are_shown_and_the_others_counted() -> None:

@@ -3,7 +3,7 @@ from pathlib import Path
 import pytest
 
 from repro.errors import InputError
-from repro.report.files import usable_folder, write_file
+from repro.report.files import set_aside, usable_folder, write_file
 
 
 def test_a_reports_folder_is_made_with_its_parents(tmp_path: Path) -> None:
@@ -29,3 +29,49 @@ def test_a_file_that_cannot_be_written_is_named(tmp_path: Path) -> None:
     (tmp_path / "tables").write_text("in the way")
     with pytest.raises(InputError, match=r"a\.csv cannot be written"):
         write_file(tmp_path / "tables" / "a.csv", "text")
+
+
+@pytest.mark.parametrize("planted", ["link", "file"])
+def test_what_stands_in_the_place_of_a_draft_is_left(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, planted: str
+) -> None:
+    theirs, draft = tmp_path / "theirs", tmp_path / ".repro-00.draft"
+    theirs.write_text("theirs")
+    draft.symlink_to(theirs) if planted == "link" else draft.write_text("theirs")
+    monkeypatch.setattr("secrets.token_hex", lambda _: "00")
+
+    with pytest.raises(InputError, match="html cannot be written: File exists"):
+        write_file(tmp_path / "index.html", "ours")
+
+    assert theirs.read_text() == draft.read_text() == "theirs"
+    assert not (tmp_path / "index.html").exists()
+
+
+def test_no_two_drafts_have_one_name(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    names = set()
+    monkeypatch.setattr(Path, "replace", lambda draft, _: names.add(draft.name))
+    for _ in range(50):
+        write_file(tmp_path / "index.html", "ours")
+    assert len(names) == 50
+
+
+def test_a_link_in_the_place_of_a_page_is_replaced_and_not_followed(tmp_path: Path) -> None:
+    theirs = tmp_path / "theirs"
+    theirs.write_text("theirs")
+    (tmp_path / "index.html").symlink_to(theirs)
+
+    write_file(tmp_path / "index.html", b"ours")
+
+    assert theirs.read_text() == "theirs"
+    assert (tmp_path / "index.html").read_text() == "ours"
+
+
+def test_what_is_set_aside_takes_no_name_that_is_taken(tmp_path: Path) -> None:
+    (tmp_path / "results-set-aside-1.json").write_text("earlier")
+    (tmp_path / "results.json").write_text("now")
+
+    aside = set_aside(tmp_path / "results.json")
+
+    assert (aside.name, aside.read_text()) == ("results-set-aside-2.json", "now")
+    assert (tmp_path / "results-set-aside-1.json").read_text() == "earlier"
+    assert not (tmp_path / "results.json").exists()

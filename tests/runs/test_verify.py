@@ -41,6 +41,36 @@ def test_stored_runs_come_out_again(folder: Path) -> None:
     assert found.count(Outcome.MATCH) == 6
 
 
+def test_each_package_and_setting_that_was_another_is_named(folder: Path) -> None:
+    was = {"packages": {"numpy": "1.0", "scipy": "2"}, "settings": {"NPY_X": "1"}, "system": "A"}
+    with Store(folder) as opened:
+        opened.begin(was)
+        opened.add(RECORDS)
+    now: dict[str, object] = {
+        "packages": {"numpy": "1.1", "scipy": "2"},
+        "settings": {},
+        "system": "A",
+    }
+
+    found = verify(folder, TASKS, sample=6, seed="1", here=now)
+
+    assert found.elsewhere == (
+        "packages, numpy was 1.0, is 1.1",
+        "settings, NPY_X was 1, is not noted",
+    )
+
+
+def test_where_two_histories_part_first_is_named(folder: Path) -> None:
+    (stored, *_) = RECORDS
+    history = stored.history.copy()
+    history[2:] += 1.0
+    store(folder, replace(stored, history=history))
+
+    (row,) = (row for row in verified(folder).sample if row.outcome is not Outcome.MATCH)
+
+    assert f"first at iteration 3: {stored.history[2].item()!r}, stored" in row.note
+
+
 def test_sample_is_named_by_its_seed_and_does_not_depend_on_the_order(folder: Path) -> None:
     one, two = verified(folder, sample=3), verified(folder, sample=3)
     back = verify(folder, TASKS[::-1], sample=3, seed="1", here={})
@@ -124,7 +154,9 @@ def test_command_tells_what_differs_in_lines(
     assert lines[0].startswith(
         "6 finished runs, 6 of them of this version; sample of 6 by the seed '1'"
     )
-    assert any(line.startswith("another environment: packages was None, is ") for line in lines)
+    assert any(
+        line.startswith("another environment: packages was not noted, is ") for line in lines
+    )
     assert any(line.startswith(f"mismatch: {TASKS[0].name}, cost 0.1") for line in lines)
     assert lines[-1] == "match: 5, last bits: 0, mismatch: 1"
 

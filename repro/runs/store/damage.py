@@ -46,8 +46,9 @@ def set_file_aside(folder: Path) -> Path:
         with suppress(FileExistsError):
             side.mkdir()
             break
-    for path in folder.glob(f"{NAME}*"):
-        path.replace(side / path.name)
+    for name in (NAME, *(f"{NAME}-{kind}" for kind in ("wal", "shm", "journal"))):
+        with suppress(FileNotFoundError):
+            (folder / name).replace(side / name)
     return side / NAME
 
 

@@ -1,13 +1,10 @@
-"""The file of the store: how it is made, recognised, migrated, locked and opened."""
+"""The file of the store: how it is made, recognised, migrated and opened."""
 
-import fcntl
-import os
 import sqlite3
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from functools import partial
 from pathlib import Path
-from typing import TextIO
 
 from repro.errors import DamageError, InputError, StoreError
 from repro.runs.store.row import LONGEST
@@ -112,6 +109,9 @@ def version_of(database: sqlite3.Connection, path: Path) -> int:
         for name in ("user_version", "application_id")
     )
     empty = database.execute("select count(*) from sqlite_master").fetchone() == (0,)
+    if application != APPLICATION and not empty and not _has_our_tables(database):
+        message = f"{path} is a database of another program: name another folder for the store"
+        raise StoreError(message)
     if application != APPLICATION and (application or version or not empty):
         message = f"{path} is not a store of repro"
         raise DamageError(message)
@@ -122,6 +122,12 @@ def version_of(database: sqlite3.Connection, path: Path) -> int:
         message = f"{path} is damaged: it has schema {version}"
         raise DamageError(message)
     return version
+
+
+def _has_our_tables(database: sqlite3.Connection) -> bool:
+    """Return whether any table has the name of one of ours: then the mark is damaged."""
+    names = {name for (name,) in database.execute("select name from sqlite_master")}
+    return not names.isdisjoint(("env", "run", "curve"))
 
 
 def _start(path: Path, count: int) -> bytes:
@@ -160,43 +166,3 @@ def refusing(path: Path) -> Iterator[None]:
     except OSError as error:
         message = f"{path} cannot be used as a store: {error.strerror}"
         raise InputError(message) from None
-
-
-def lock(folder: Path, say: Callable[[str], None]) -> TextIO:
-    """Return the locked lock file of a folder, made where it has to be; wait while it is taken.
-
-    Raises InputError for a folder that cannot be used.
-    """
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        file = (folder / "lock").open("w")
-    except OSError as error:
-        message = f"the store folder {folder} cannot be used: {error.strerror}"
-        raise InputError(message) from None
-    try:
-        try:
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError:
-            say(f"the store {folder} is in use by another call; waiting until it is free")
-            fcntl.flock(file, fcntl.LOCK_EX)
-    except BaseException:
-        file.close()
-        raise
-    return file
-
-
-def lock_to_read(folder: Path) -> TextIO | None:
-    """Return the lock file, shared with other readers; None while somebody writes."""
-    if folder.exists() and not folder.is_dir():
-        message = f"the store folder {folder} cannot be used: it is a file"
-        raise InputError(message)
-    try:
-        file = (folder / "lock").open()
-    except OSError:
-        return Path(os.devnull).open()  # nobody ever wrote, or nobody here may
-    try:
-        fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
-    except BlockingIOError:
-        file.close()
-        return None
-    return file

@@ -22,12 +22,11 @@ from repro.runs.store.damage import (
 from repro.runs.store.file import (
     NAME,
     UNREADABLE,
-    lock,
-    lock_to_read,
     open_to_read,
     open_to_write,
     refusing,
 )
+from repro.runs.store.lock import lock, lock_to_read
 from repro.runs.store.row import COLUMNS, curve_of, digest, pack, record_of, values_of
 
 if TYPE_CHECKING:

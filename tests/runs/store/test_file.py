@@ -109,16 +109,16 @@ def test_store_in_memory_stands_for_none(tmp_path: Path) -> None:
 def test_read_only_folder_is_bad_input(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     folder = filled(tmp_path / "store")
     if os.geteuid() == 0:  # root may write everywhere, so the system's refusal is imitated
-        real = Path.open
+        real = os.open
 
-        def refused(self: Path, mode: str = "r", *rest: object) -> object:
-            if mode == "w":
+        def refused(path: Path, flags: int, *rest: int) -> int:
+            if flags & os.O_CREAT:
                 raise PermissionError(13, "Permission denied")
-            return real(self, mode, *rest)  # type: ignore[call-overload]
+            return real(path, flags, *rest)
 
-        monkeypatch.setattr(Path, "open", refused)
+        monkeypatch.setattr(os, "open", refused)
     else:
-        (folder / "lock").chmod(0o400)
+        (folder / "repro.lock").chmod(0o400)
         folder.chmod(0o500)
 
     try:

@@ -1,0 +1,65 @@
+"""Where compiled code is kept: in a folder that is named after all that is compiled into it.
+
+numba decides from one file's time stamp whether its cached machine code is current; it does not
+see a change in a function that the file calls, nor a setting by which it compiles. So the folder
+has the name of a digest of both, wherever it stands: below NUMBA_CACHE_DIR where that is set,
+beside the package, or, where neither can be written, among the user's cached files. Compiled
+sources are all modules of the folders in which one imports `repro.determinism.compiled`.
+"""
+
+import hashlib
+import os
+import sys
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+
+from repro.determinism.settings import settings
+
+_PACKAGE = Path(__file__).parent.parent
+_MARKER = b"from repro.determinism.compiled import"
+
+
+def kept_in() -> Path | None:
+    """Return the folder for compiled code, made where it has to be; None where none can be."""
+    name = f"numba-{_digest()}"
+    return next((place / name for place in _places() if _is_usable(place / name)), None)
+
+
+def _digest() -> str:
+    texts = {path: path.read_bytes() for path in sorted(_PACKAGE.rglob("*.py"))}
+    rooms = {path.parent for path, text in texts.items() if _MARKER in text}
+    found = hashlib.sha256(repr(sorted(settings("NUMBA").items())).encode())
+    for path, text in texts.items():
+        if path.parent in rooms:
+            found.update(f"\0{path.relative_to(_PACKAGE).as_posix()}\0".encode())
+            found.update(text)
+    return found.hexdigest()[:16]
+
+
+def _places() -> Iterator[Path]:
+    if named := os.environ.get("NUMBA_CACHE_DIR"):
+        yield Path(named).absolute()
+    yield _PACKAGE / "__pycache__"
+    yield _of_user() / "repro"
+
+
+def _of_user() -> Path:
+    """Return where a user's cached files stand, by the rules of the systems that we support.
+
+    Two lines are not worth a package: `platformdirs` gives the same on Linux and macOS.
+    """
+    if sys.platform == "darwin":
+        return Path(os.path.expanduser("~/Library/Caches"))  # noqa: PTH111 (a home may be missing)
+    named = os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")  # noqa: PTH111
+    return Path(named).absolute()
+
+
+def _is_usable(folder: Path) -> bool:
+    """Return whether a file can be made in a folder: permissions alone do not tell."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=folder):
+            return True
+    except OSError:
+        return False
