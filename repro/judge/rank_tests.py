@@ -46,9 +46,14 @@ class AlgorithmTests:
 
     @property
     def others(self) -> tuple[str, ...]:
-        """The algorithms that the proposed one is tested against."""
-        own = self.experiment
-        return tuple(name for name in own.algorithms if name != own.proposed)
+        """The algorithms that the proposed one is tested against; none where it is not run."""
+        return rivals(self.experiment)
+
+
+def rivals(experiment: Experiment) -> tuple[str, ...]:
+    """Return the algorithms that the proposed one is tested against; none where it is not run."""
+    own = experiment.proposed
+    return tuple(name for name in experiment.algorithms if experiment.runs_proposed and name != own)
 
 
 def algorithm_tests(paper: Paper, evidence: Evidence) -> tuple[AlgorithmTests, ...]:
@@ -78,12 +83,7 @@ def _tests(experiment: Experiment, evidence: Evidence) -> AlgorithmTests:
 
 
 def _rank_sum_tests(experiment: Experiment, evidence: Evidence) -> tuple[RankSumTest, ...]:
-    pairs = [
-        (problem, other)
-        for problem in experiment.problems
-        for other in experiment.algorithms
-        if other != experiment.proposed
-    ]
+    pairs = [(problem, other) for problem in experiment.problems for other in rivals(experiment)]
     samples = [
         tuple(
             evidence.values((experiment.name, problem, name))[0]

@@ -47,6 +47,15 @@ def measure_of(cell: Statistic, of: Experiment) -> Measure:
     return cell
 
 
+def compared_with(word: str, algorithm: str, of: Experiment) -> tuple[str, ...]:
+    """Return the algorithms of the paper, run or not, that the word compares one with."""
+    if _RANK.fullmatch(word):
+        return (*of.algorithms, *of.left_out)
+    if match := _P_VALUE.fullmatch(word):
+        return (algorithm, match["against"] or of.proposed)
+    return ()
+
+
 def _p_value(cell: Statistic, of: Experiment, test: RankTest, against: str | None) -> RankSum:
     own, other = (cell.algorithm, against) if against else (of.proposed, cell.algorithm)
     rivals = [name for name in of.algorithms if name != own]

@@ -142,15 +142,20 @@ def lowest_everywhere(
 ) -> tuple[Sentence, ...]:
     """Return one claim per problem: the algorithm's statistic is the lowest, or shares that place.
 
-    `claim` is the sentence in our words; the problem is added to it.
+    `claim` is the sentence in our words; the problem is added to it. Where the experiment has left
+    an algorithm out, nothing is measured and its gap says why.
     """
+    gap = next(iter(of.left_out.values()), None)
     return tuple(
         Sentence(
             claim=f"{claim}, on {problem}",
             group=claim,
             where=where,
             printed=Printed("1", "rank"),
-            measure=Rank(
+            gap=gap,
+            measure=None
+            if gap
+            else Rank(
                 of=Statistic(
                     experiment=of.name,
                     problem=problem,

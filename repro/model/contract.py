@@ -5,6 +5,7 @@ from collections.abc import Iterable, Iterator
 
 from repro.model.assumptions import Assumption
 from repro.model.claims import CellClaim
+from repro.model.open_points import Gap
 from repro.model.paper import Paper
 
 
@@ -25,9 +26,19 @@ def contract_faults(paper: Paper) -> Iterator[str]:
     ):
         if not because.strip():
             yield f"{what}: it has no reason (because)"
+    for what, gap in _left_to(paper):
+        if gap not in paper.gaps:
+            yield f"{what}: its gap {gap.what!r} is not among the paper's gaps"
+
+
+def _left_to(paper: Paper) -> Iterator[tuple[str, Gap]]:
+    """Yield what is left to a gap, in words, and the gap."""
+    for experiment in paper.experiments:
+        for name, gap in experiment.left_out.items():
+            yield f"experiment {experiment.name!r}, left_out {name!r}", gap
     for claim in paper.claims:
-        if not isinstance(claim, CellClaim) and claim.gap and claim.gap not in paper.gaps:
-            yield f"{claim.claim}: its gap {claim.gap.what!r} is not among the paper's gaps"
+        if not isinstance(claim, CellClaim) and claim.gap:
+            yield claim.claim, claim.gap
 
 
 def house_notes(paper: Paper) -> Iterator[str]:

@@ -12,6 +12,7 @@ from repro.model.claims import CellClaim, Claim
 from repro.model.experiment import Experiment
 from repro.model.known_words import known_words, shown_value
 from repro.model.measures.measure import Statistic
+from repro.model.open_points import Gap
 from repro.optimisers.search import (
     DeclaresSpending,
     TellsQuantities,
@@ -48,6 +49,11 @@ def experiment_faults(experiment: Experiment) -> Iterator[str]:
         yield from _count_faults(f"{name}, {count}", getattr(experiment, count))
     if experiment.evaluations is not None:
         yield from _count_faults(f"{name}, evaluations", experiment.evaluations)
+    for algorithm, gap in experiment.left_out.items():
+        if not isinstance(gap, Gap):
+            yield f"{name}, left_out {algorithm!r}: {shown_value(gap)} is no Gap"
+        if algorithm in experiment.algorithms:
+            yield f"{name}, left_out: {algorithm!r} is one of its algorithms, too"
     for problem, subject in experiment.problems.items():
         yield from _problem_faults(f"{name}, problem {problem!r}", subject)
     if not [count for count in _COUNTS if _is_no_count(getattr(experiment, count))]:
@@ -60,9 +66,10 @@ def protocol_faults(experiment: Experiment) -> Iterator[str]:
     for kind in ("problems", "algorithms"):
         if not getattr(experiment, kind):
             yield f"{name} has no {kind}: leave out an experiment that runs nothing"
-    if experiment.algorithms and experiment.proposed not in experiment.algorithms:
-        known = known_words(experiment.proposed, experiment.algorithms)
-        yield f"{name}, proposed: {experiment.proposed!r} is no algorithm of it; {known}"
+    known = {**experiment.algorithms, **experiment.left_out}
+    if experiment.algorithms and experiment.proposed not in known:
+        words = known_words(experiment.proposed, known)
+        yield f"{name}, proposed: {experiment.proposed!r} is no algorithm of it; {words}"
 
 
 def claim_faults(claim: Claim, experiments: Iterable[Experiment]) -> Iterator[str]:
@@ -178,7 +185,12 @@ def _cell_faults(
         if problem not in experiment.problems:
             known = known_words(problem, experiment.problems)
             yield f"{where}: experiment {name!r} has no problem {problem!r}; {known}"
-        if algorithm not in experiment.algorithms:
+        if algorithm in experiment.left_out:
+            yield (
+                f"{where}: {algorithm!r} of experiment {name!r} is left out, so nothing is "
+                "measured of it: leave this to its gap"
+            )
+        elif algorithm not in experiment.algorithms:
             known = known_words(algorithm, experiment.algorithms)
             yield f"{where}: experiment {name!r} has no algorithm {algorithm!r}; {known}"
 

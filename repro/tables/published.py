@@ -2,7 +2,8 @@
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from itertools import accumulate
 from typing import Self
 
 from repro.errors import DeclarationError
@@ -19,10 +20,14 @@ _HEADING = re.compile(r"(?P<name>[^\[\]]+?)\s*(?:\[(?P<unit>[^\]]*)\])?")
 
 @dataclass(frozen=True, slots=True)
 class Column:
-    """A heading: its name and the unit that every cell below it is printed in."""
+    """A heading: its name and the unit that every cell below it is printed in.
+
+    `levels` are the headings one above the other that the name joins, where there are several.
+    """
 
     name: str
     unit: str
+    levels: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -46,15 +51,20 @@ class PublishedTable:
 
         The first line says where it stands. The second has the headings, with units in brackets;
         `||` (or else the first `|`) parts the row headings from the values. A blank row heading
-        repeats the one above; a dash (–) stands for a cell or row heading that is empty on the
-        page. A row heading may name a unit, too, for the columns without one; in brackets with
+        repeats the one above; a dash (–) stands for a cell or heading that is empty on the page.
+        Headings that stand under others, as "Best" and "Mean" under "WOA", are a line of their own
+        without row headings, and a blank one above them repeats the one to its left. A row heading
+        may name a unit, too, for the columns without one; in brackets with
         digits alone, as "PSO [12]", it is a name. Raises DeclarationError with the table, row and
         text at fault.
         """
         where, heading, *body = _lines(page)
         label = where.partition(",")[0]
         names, titles = _split(label, heading)
-        columns = tuple(_column(label, title) for title in titles)
+        levels = [titles]
+        while len(body) > 1 and not any(_split(label, body[0])[0]):
+            levels.append(_split(label, body.pop(0))[1])
+        columns = _columns(label, levels)
         rows: list[tuple[str, ...]] = []
         units, cells = [], []
         above = ("",) * len(names)
@@ -182,7 +192,41 @@ def _of_unit(
                 f"in {column.unit}"
             )
             raise DeclarationError(message)
-    return tuple(Column(column.name, column.unit or unit) for column in columns)
+    return tuple(replace(column, unit=column.unit or unit) for column in columns)
+
+
+def _columns(label: str, levels: list[tuple[str, ...]]) -> tuple[Column, ...]:
+    """Return the columns of one line of headings, or of several, the uppermost first."""
+    *upper, lowest = levels
+    if not upper:
+        return tuple(_column(label, title) for title in lowest)
+    lines = [*map(_spread, upper), lowest]
+    wide = max(map(len, lines))
+    for line in lines:
+        if len(line) != wide or not all(line):
+            shown = " | ".join(line)
+            message = (
+                f"{label}, headings {shown!r}: each of the {wide} columns needs one; a "
+                "blank one above others repeats the one to its left, a dash (–) is none"
+            )
+            raise DeclarationError(message)
+    return tuple(_joined(label, titles) for titles in zip(*lines, strict=True))
+
+
+def _spread(titles: tuple[str, ...]) -> tuple[str, ...]:
+    """Return headings with each blank one as the one to its left."""
+    return tuple(accumulate(titles, lambda left, own: own or left))
+
+
+def _joined(label: str, titles: tuple[str, ...]) -> Column:
+    """Return the column under several headings, of which one may have a unit."""
+    parts = [Column("", "") if each == NOTHING else _column(label, each) for each in titles]
+    units = [part.unit for part in parts if part.unit]
+    if len(units) > 1:
+        message = f"{label}, heading {' '.join(titles)!r}: two units, {' and '.join(units)}"
+        raise DeclarationError(message)
+    names = tuple(part.name for part in parts)
+    return Column(_name(names), "".join(units), names)
 
 
 def _column(label: str, title: str) -> Column:

@@ -54,7 +54,8 @@ def _cells(table: PublishedTable, drawn: Grid) -> Iterator[GridCell]:
         )
         for j in range(first, len(line)):
             if line[j]:
-                column = (Label(text=plain(drawn.lines[0][j])),)
+                levels = table.columns[j - first].levels or (drawn.lines[0][j],)
+                column = tuple(Label(text=plain(text)) for text in levels if text)
                 yield GridCell(text=line[j], i=i, j=j, row=row, column=column)
 
 

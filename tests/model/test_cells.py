@@ -156,3 +156,90 @@ def test_computed_cells_keep_only_rows_that_there_are() -> None:
 
     with pytest.raises(DeclarationError, match="Table 1, only: no row 'bowl'; did you mean"):
         computed_cells(TABLE, measure=measure, within=Absolute(0), only=("bowl",))
+
+
+def test_headings_that_stand_under_others_name_a_statistic_of_each_algorithm() -> None:
+    table = PublishedTable.read("""
+        Table 2, p. 4
+        problem || guess |        | wide |
+                || mean  | std    | mean | std
+        bowl    || 0.05  | 0.02   | 0.5  | 0.4
+    """)
+
+    claims = claimed(table, rows=("problem",), columns=("algorithm", "statistic"))
+
+    assert statistics(claims) == [
+        ("bowl", "guess", "mean"),
+        ("bowl", "guess", "std"),
+        ("bowl", "wide", "mean"),
+        ("bowl", "wide", "std"),
+    ]
+    assert [claim.column for claim in claims] == [
+        "guess mean",
+        "guess std",
+        "wide mean",
+        "wide std",
+    ]
+
+
+@pytest.mark.parametrize("columns", ["algorithm", ("algorithm", "statistic", "problem")])
+def test_headings_one_above_the_other_need_a_role_each(columns: object) -> None:
+    table = PublishedTable.read("""
+        Table 2, p. 4
+        problem || guess |
+                || mean  | std
+        bowl    || 0.05  | 0.02
+    """)
+
+    (said,) = faults(table, rows=("problem",), columns=columns)
+
+    assert said.startswith("Table 2 has the column headings ('guess', 'mean'), not one per ")
+
+
+LEFT = Gap(what="costs of the owl", where="p. 3", because="its equations are not printed")
+OWLS = replace(EXPERIMENT, proposed="owl", left_out={"owl": LEFT})
+OF_OWLS = PublishedTable.read("""
+    Table 4, p. 5
+    problem | statistic || guess | wide | owl
+    bowl    | mean      || 0.05  | 0.5  | 0.01
+            | rank      || 2     | 3    | 1
+            | rank-sum p || 0.01 | 0.02 | –
+""")
+
+
+def test_a_proposed_algorithm_that_is_left_out_leaves_what_compares_with_it_to_its_gap() -> None:
+    claims = claimed(OF_OWLS, of=OWLS)
+
+    assert [claim.gap for claim in claims] == [None, None, *[LEFT] * 6]
+    assert replace(PAPER, experiments=(OWLS,), results=(OF_OWLS,), claims=claims, gaps=(LEFT,))
+
+
+def test_a_rival_that_is_left_out_leaves_only_its_own_cells_and_ranks_to_its_gap() -> None:
+    claims = claimed(OF_OWLS, of=replace(OWLS, proposed="guess"), only=("bowl mean", "bowl rank"))
+
+    assert [claim.gap for claim in claims] == [None, None, LEFT, LEFT, LEFT, LEFT]
+
+
+def test_an_unknown_problem_is_told_with_the_problems_alone() -> None:
+    (said,) = faults(
+        SUMMED,
+        only=("Sum",),
+        without={"wide": GAP, ("bowl std", "wide"): GAP},
+        given={},
+        names={"Sum": "Sum mean"},
+    )[:1]
+
+    assert said.endswith("problem 'Sum mean' is none of bowl")
+
+
+def test_a_statistic_in_other_letters_is_told_how_names_translate_it() -> None:
+    (said,) = faults(names={"mean": "Mean"})
+
+    assert said.endswith("; names={'Mean': 'mean'} translates it")
+
+
+@pytest.mark.parametrize("word", ["without", "names", "given"])
+def test_a_list_in_place_of_a_dict_is_one_line(word: str) -> None:
+    given: dict[str, Any] = {word: ["wide"]}
+
+    assert faults(**given) == [f"Table 1, {word} is ['wide']; it must be a dict"]

@@ -7,7 +7,9 @@ import pytest
 from repro.errors import DeclarationError
 from repro.model.cells import every_cell
 from repro.model.claims import CellClaim
+from repro.model.contract import contract_faults
 from repro.model.faults import protocol_faults
+from repro.model.open_points import Gap
 from repro.model.tolerances import Between, Percent
 from tests.small_papers import CLAIMS, EXPERIMENT, PAPER, TABLE, Bowl
 
@@ -111,3 +113,41 @@ def test_a_role_that_no_cell_has_is_refused_with_the_known_ones() -> None:
 
     with pytest.raises(DeclarationError, match="Table 1: no role 'dimension'; there is problem"):
         every_cell(TABLE, of=EXPERIMENT, rows=rows, columns="algorithm", within=Percent(1))
+
+
+LEFT = Gap(what="costs of the owl", where="p. 3", because="its equations are not printed")
+
+
+def test_a_proposed_algorithm_may_be_one_that_is_left_out_to_a_gap() -> None:
+    owls = replace(EXPERIMENT, proposed="owl", left_out={"owl": LEFT})
+
+    assert list(protocol_faults(owls)) == []
+    assert list(contract_faults(replace(PAPER, experiments=(owls,), gaps=(LEFT,)))) == []
+    (said,) = contract_faults(replace(PAPER, experiments=(owls,)))
+    assert said.endswith("its gap 'costs of the owl' is not among the paper's gaps")
+
+
+def test_what_is_left_out_is_left_to_a_gap_and_not_run_besides() -> None:
+    left: Any = {"owl": "no gap", "wide": LEFT}
+    wrong = replace(EXPERIMENT, left_out=left)
+
+    assert faults_of(PAPER, experiments=(wrong,)) == [
+        "small2020, experiment 'search', left_out 'owl': 'no gap' is no Gap",
+        "small2020, experiment 'search', left_out: 'wide' is one of its algorithms, too",
+    ]
+
+
+def test_a_claim_on_an_algorithm_that_is_left_out_is_told_to_be_left_to_its_gap() -> None:
+    owls = replace(EXPERIMENT, proposed="owl", left_out={"owl": LEFT})
+
+    (said,) = faults_of(PAPER, experiments=(owls,), claims=measuring(algorithm="owl"))
+
+    assert "'owl' of experiment 'search' is left out, so nothing is measured of it" in said
+
+
+@pytest.mark.parametrize("name", ["algorithms", "problems", "left_out"])
+def test_a_list_in_place_of_a_dict_is_refused_with_what_is_meant(name: str) -> None:
+    given: Any = {name: ["WOA"]}
+
+    with pytest.raises(DeclarationError, match=f"search, {name} is .'WOA'.; it must be a dict: "):
+        replace(EXPERIMENT, **given)

@@ -1,4 +1,5 @@
 import math
+import re
 from decimal import Decimal
 from fractions import Fraction
 
@@ -8,6 +9,7 @@ from hypothesis import strategies as st
 
 from repro.errors import DeclarationError
 from repro.tables.published import UNITS, Printed, PublishedTable
+from repro.tables.read_published import read_published
 
 TIMES = """
     Table VI, p. 9 (50 runs)
@@ -295,3 +297,63 @@ def test_number_of_a_reference_behind_a_row_heading_is_part_of_the_name() -> Non
 def test_unit_of_a_row_that_cannot_be_is_refused(page: str, message: str) -> None:
     with pytest.raises(DeclarationError, match=message):
         PublishedTable.read(page)
+
+
+def test_headings_may_stand_under_others_that_are_blank_where_they_go_on() -> None:
+    table = PublishedTable.read("""
+        Table 1, p. 2
+        F  | Dim || WOA  |          | Time [ms]
+           |     || Best | Mean [s] | –
+        F1 | 30  || 1    | 2        | 3
+    """)
+
+    assert [(each.name, each.unit) for each in table.columns] == [
+        ("WOA Best", ""), ("WOA Mean", "s"), ("Time", "ms"),
+    ]  # fmt: skip
+    assert [each.levels for each in table.columns] == [
+        ("WOA", "Best"), ("WOA", "Mean"), ("Time", ""),
+    ]  # fmt: skip
+    assert table["F1 30", "WOA Mean"].text == "2"
+
+
+@pytest.mark.parametrize(
+    ("upper", "lower", "says"),
+    [
+        ("      | WOA ", "Best | Mean", "headings ' | WOA': each of the 2 columns needs one"),
+        ("WOA   |     ", "Best |     ", "headings 'Best | ': each of the 2 columns needs one"),
+        ("WOA   |     ", "Best       ", "headings 'Best': each of the 2 columns"),
+        ("WOA [s] |   ", "Best [ms] | Mean", "heading 'WOA [s] Best [ms]': two units, s and ms"),
+        ("WOA   |     ", "Best | Best", "'WOA Best' stands there twice"),
+    ],
+)
+def test_headings_under_others_that_cannot_be_read_are_shown(
+    upper: str, lower: str, says: str
+) -> None:
+    page = f"""
+        Table 1, p. 2
+        F  || {upper}
+           || {lower}
+        F1 || 1 | 2
+    """
+
+    with pytest.raises(DeclarationError, match=re.escape(says)):
+        PublishedTable.read(page)
+
+
+def test_a_table_with_headings_under_others_is_read_as_one_with_them_in_its_rows() -> None:
+    table = PublishedTable.read("""
+        Table 1, p. 2 (10 runs)
+        F  || WOA       |           | PSO       |
+           || Mean      | Std       | Mean      | Std
+        F1 || 1.660E-04 | 1.106E+00 | 1.660E-04 | 1.106E+00
+    """)
+
+    found = [
+        (entry.problem, entry.algorithm, entry.number.column)
+        for entry in read_published(table).entries
+    ]
+
+    assert found == [
+        ("F1", "WOA", "WOA Mean"), ("F1", "WOA", "WOA Std"),
+        ("F1", "PSO", "PSO Mean"), ("F1", "PSO", "PSO Std"),
+    ]  # fmt: skip

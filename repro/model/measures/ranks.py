@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from repro.determinism.seeds import generator
+from repro.errors import DeclarationError
 from repro.model.evidence import Cell, Evidence
 from repro.model.measures.measure import Measured, Statistic
 from repro.statistics.pairs import paired_p
@@ -82,7 +83,13 @@ class Contest:
         return np.array(ranked), min(repeats)
 
     def of(self, algorithm: str) -> int:
-        """Return the position of an algorithm; ValueError where it does not take part."""
+        """Return the position of an algorithm; DeclarationError where it does not take part."""
+        if algorithm not in self.algorithms:
+            message = (
+                f"{algorithm!r} takes no part in the contest of {self.experiment!r}, which is "
+                f"among {', '.join(self.algorithms)}"
+            )
+            raise DeclarationError(message)
         return self.algorithms.index(algorithm)
 
 

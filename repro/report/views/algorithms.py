@@ -51,6 +51,12 @@ class AlgorithmsView:
     printed: tuple[tuple[str, str, str], ...]
     ranking: Ranking | None
 
+    @property
+    def left_out(self) -> str:
+        """What is said of algorithms that are not run; nothing where there are none."""
+        because = [f"{name} ({gap.because})" for name, gap in self.experiment.left_out.items()]
+        return f"Not re-run, and compared with nothing: {'; '.join(because)}." if because else ""
+
     def tables(self) -> tuple[tuple[str, pd.DataFrame], ...]:
         """Return the kind and the rows of each table of data."""
         ranks = (("ranks", self.ranking.drawing.frame),) if self.ranking else ()

@@ -62,6 +62,8 @@ def _places(found: CentreBias) -> str:
     """Return the places of the proposed algorithm as a sentence."""
     name, algorithms = found.experiment.proposed, len(found.experiment.algorithms)
     problems = len(found.problems)
+    if not found.experiment.runs_proposed:
+        return f"{name} is not re-run: {found.experiment.left_out[name].because}."
     places = [
         f"{each.place(name)} of {algorithms} "
         + (f"with shift {each.shift:g}" if each.shift else "in place")
