@@ -9,6 +9,7 @@ from repro.errors import InputError
 
 DEFAULT_REPEATS = 10
 STORE, REPORTS, PRIVATE = Path(".repro"), Path("reports"), Path("reports-private")
+FORMATS = ("csv", "parquet", "ioh", "latex")
 _AGAIN = (
     "Run what one printed number needs, once, and say what comes out: the number that its page "
     "shows below the printed one. Nothing is stored, unless a store is named: what it has is not "
@@ -24,6 +25,7 @@ _TEXTS = {
     "new": "write a module and its prose to fill in: KEY.py and KEY.toml",
     "check": "what a paper must satisfy, and what this house asks besides",
     "again": "run one printed number again",
+    "export": "runs, curves and tables for other programs",
     "audit": "what the printed tables say about themselves",
     "certify": "proved minima of the motion problems",
     "motion": "the proved minimum of a motion of one's own",
@@ -88,7 +90,16 @@ def _add_names(parsers: Mapping[str, argparse.ArgumentParser]) -> None:
     parsers["compare"].add_argument(
         "search", metavar="MODULE:OBJECT", help="an optimiser, or a callable"
     )
-    for name in ("reproduce", "report", "list", "compare", "audit", "certify", "references"):
+    for name in (
+        "reproduce",
+        "report",
+        "list",
+        "compare",
+        "audit",
+        "certify",
+        "references",
+        "export",
+    ):
         parsers[name].add_argument("keys", nargs="*", metavar="PAPER", help=_PAPERS)
     parsers["new"].add_argument("key", metavar="KEY", help="names the paper: its author and year")
     parsers["check"].add_argument("keys", nargs="+", metavar="PAPER", help=_PAPER)
@@ -142,9 +153,18 @@ def _add_runs(parsers: Mapping[str, argparse.ArgumentParser]) -> None:
 
 def _add_places(parsers: Mapping[str, argparse.ArgumentParser]) -> None:
     """Add the folders that a command uses."""
-    for name in ("reproduce", "report", "list", "compare", "verify"):
+    for name in ("reproduce", "report", "list", "compare", "verify", "export"):
         parsers[name].add_argument("--store", type=Path, default=STORE, metavar="DIR")
     parsers["again"].add_argument("--store", type=Path, metavar="DIR", help="default: none")
-    for name in ("reproduce", "report", "compare"):
+    _add_export(parsers["export"])
+    for name in ("reproduce", "report", "compare", "export"):
         default = PRIVATE if name == "compare" else REPORTS
         parsers[name].add_argument("--reports", type=Path, default=default, metavar="DIR")
+
+
+def _add_export(export: argparse.ArgumentParser) -> None:
+    """Add what is written, and where."""
+    help_text = "csv and parquet: runs and what is said of them; ioh: curves; latex: printed tables"
+    export.add_argument("--format", choices=FORMATS, default=FORMATS[0], help=help_text)
+    text = "where files are written (default: the current folder)"
+    export.add_argument("--to", type=Path, default=Path(), metavar="DIR", help=text)

@@ -28,10 +28,12 @@ from repro.runs.store.file import NAME
 RESULTS = "results.json"
 
 
-class Source(Protocol):
+class Place(Protocol):
     """Where results come from: entries of results.json, runs and curves."""
 
-    place: Path
+    @property
+    def place(self) -> Path:
+        """The folder."""
 
     @property
     def keys(self) -> tuple[str, ...]:
@@ -51,7 +53,7 @@ class Source(Protocol):
 class Results:
     """Results as DataFrames, each read when it is first asked for; docs/data.md has the columns."""
 
-    source: Source = field(repr=False)
+    source: Place = field(repr=False)
 
     @property
     def papers(self) -> tuple[str, ...]:

@@ -12,11 +12,13 @@ import pandas as pd
 
 from repro.commands.written_pages import judged
 from repro.errors import InputError
+from repro.model.experiment import Experiment
 from repro.model.paper import Paper
 from repro.report.frames import PUBLISHED, RUNS, runs_frame
 from repro.report.results import Json, paper_result
 from repro.runs.plan import Task, plan
 from repro.runs.raw_runs import RawRun, drawn_as, every_task, places, ran_as, raw_run
+from repro.runs.run import Record
 from repro.runs.store.store import Store
 from repro.runs.studies import Study, studies
 
@@ -73,6 +75,16 @@ class Stored:
         for line, record in zip(values, records, strict=True):
             line[: len(record.history)] = record.history
         return pd.DataFrame(values, index=index, columns=columns)
+
+    def cells(self, key: str) -> Iterator[tuple[Experiment, list[Record]]]:
+        """Yield the finished runs of a paper, those of one algorithm on one problem at a time."""
+        paper = self._paper(key)
+        with self._opened() as (store, repeats):
+            besides = (study.experiment for study in studies(paper, repeats))
+            known = {each.name: each for each in (*besides, *paper.experiments)}
+            for (name, *_), group in groupby(every_task(paper, repeats), key=_cell):
+                if records := [each for each in store.records(group) if each.reason is None]:
+                    yield known[name], records
 
     def _paper(self, key: str) -> Paper:
         return next(paper for paper in self.papers if paper.key == key)

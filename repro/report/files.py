@@ -8,6 +8,9 @@ from pathlib import Path
 
 from repro.errors import InputError
 
+Texts = dict[str, str]
+"""Texts of files by their place in a folder."""
+
 
 def usable_folder(folder: Path) -> None:
     """Make the folder; InputError where it cannot be written."""

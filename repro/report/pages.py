@@ -16,7 +16,6 @@ from repro.judge.judgement import Judgement
 from repro.judge.verdict import Verdict
 from repro.model.identifiers import anchor
 from repro.model.measures.measure import TABLES
-from repro.model.paper import Paper
 from repro.report.calibration import calibration
 from repro.report.drawings.arm_viewer import viewer
 from repro.report.drawings.draw import Drawing, draw
@@ -131,14 +130,11 @@ def _paper_files(judgement: Judgement, master_seed: str, files: Files, called: s
         "reading_repeats": judgement.reading_repeats,
         "standings": tuple(map(standings_view, judgement.standings)),
         "drawings": drawings,
-        "runs_file": place_of_runs(paper.key),
         "provenance": entry["provenance"],
     }
     files[f"{paper.key}.html"] = render("paper.html", context)
     files[f"{paper.key}.md"] = render("paper.md", context)
-    files |= _tables(paper, entry, drawings) | runs.files(paper.key)
-    if paper.experiments:
-        files[place_of_runs(paper.key)] = packed_runs(judgement.runs)
+    files |= _data(judgement, entry, drawings) | runs.files(paper.key)
     return entry
 
 
@@ -165,7 +161,7 @@ def index_files(
     results: Json,
     another_seed: Json | None = None,
     called: Mapping[str, str] = MappingProxyType({}),
-) -> Files:
+) -> dict[str, str]:
     """Return the index pages and the table of verdicts alone.
 
     `another_seed` is what `repro flips --json` said of these results and those of another seed;
@@ -224,6 +220,7 @@ def _templates(*, markdown: bool) -> Environment:
     environment.globals |= {"viewer": viewer, "again_command": again_command, "command": command}
     environment.globals |= {"level": LEVEL, "tables_drawn": TABLES, "HOW": VERDICTS}
     environment.globals |= {"SYMBOLS": SYMBOLS, "MEANINGS": MEANINGS, "VERDICTS": tuple(Verdict)}
+    environment.globals |= {"place_of_runs": place_of_runs}
     environment.globals |= {"NOT_REPRODUCIBLE": Verdict.NOT_REPRODUCIBLE}
     environment.globals |= {"RESULTS": RESULTS, "IMPOSSIBLE": IMPOSSIBLE}
     return environment
@@ -241,7 +238,8 @@ def _without_tags(value: object) -> object:
     return value
 
 
-def _tables(paper: Paper, entry: Json, drawings: Sequence[Drawing]) -> Files:
+def _data(judgement: Judgement, entry: Json, drawings: Sequence[Drawing]) -> Files:
+    paper = judgement.paper
     found = findings_frame([entry])
     groups = found["table"].fillna("claims").map(anchor)
     files: Files = {
@@ -250,4 +248,6 @@ def _tables(paper: Paper, entry: Json, drawings: Sequence[Drawing]) -> Files:
     }
     for figure, drawing in zip(paper.figures, drawings, strict=True):
         files[f"tables/{paper.key}-{anchor(figure.label)}.csv"] = csv_text(drawing.frame, DIGITS)
+    if paper.experiments:
+        files[place_of_runs(paper.key)] = packed_runs(judgement.runs)
     return files

@@ -1,7 +1,7 @@
 """The counterpart of a paper's figure: a drawing, what it says in words, and its data."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import pandas as pd
 
@@ -32,7 +32,7 @@ class Drawing:
     svg: str
     title: str
     description: str
-    frame: pd.DataFrame
+    frame: pd.DataFrame = field(compare=False)  # a frame is equal to none as a whole
     scene: Scene | None = None
 
 

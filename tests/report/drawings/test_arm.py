@@ -88,11 +88,11 @@ def test_the_data_are_the_origins_of_the_frames_over_time() -> None:
     assert headings[-3:] == ("x of tool [m]", "y of tool [m]", "z of tool [m]")
     assert first[1:] == (
         "0",
-        *("0.0000",) * 3,
-        "1.0000",
-        *("0.0000",) * 2,
-        "1.5000",
-        *("0.0000",) * 2,
+        *("0",) * 3,
+        "1",
+        *("0",) * 2,
+        "1.5",
+        *("0",) * 2,
     )
     assert [float(value) for value in last[-3:]] == pytest.approx([-0.5, 1.0, 0.0], abs=1e-4)
 
