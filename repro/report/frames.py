@@ -19,6 +19,7 @@ from repro.report.results import Json
 from repro.runs.raw_runs import RawRun, ran_as
 
 Entries = Iterable[Json]
+INSTANT = "time [s]"
 DIGITS = 6  # of what is drawn: a curve has more points than digits that matter
 FINDING = (
     *("table", "row", "column", "claim", "where", "printed", "unit", "value"),
@@ -47,7 +48,12 @@ RUNS = ("paper", *PUBLISHED, "seed", "seconds")
 
 
 def csv_text(frame: pd.DataFrame, digits: int | None = None) -> str:
-    """Return a frame as the text of a CSV file; floats are exact, or of so many digits."""
+    """Return a frame as the text of a CSV file; floats are exact, or of so many digits.
+
+    Instants keep twelve: of fewer, two that follow each other could be one.
+    """
+    if digits is not None and INSTANT in frame:
+        frame = frame.assign(**{INSTANT: frame[INSTANT].map("{:.12g}".format)})
     form = None if digits is None else f"%.{digits}g"
     text: str = frame.to_csv(index=False, lineterminator="\n", float_format=form)
     return text

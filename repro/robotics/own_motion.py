@@ -10,6 +10,7 @@ from repro.robotics.spline_motion import MinimumTimeSpline
 
 Vector = NDArray[np.float64]
 OwnMotion = MinimumTime | MinimumTimeSpline | PolynomialMotion
+APART = 1e-9  # of the mean step: instants that are nearer are one, but for rounding
 
 
 def joints_of(problem: OwnMotion) -> int:
@@ -36,5 +37,6 @@ def increasing(times: Vector) -> NDArray[np.intp]:
 
     Of samples at one instant the last stays: with what comes after the waypoint.
     """
-    later = np.append(np.diff(times) > 0.0, True)
+    least = APART * (times[-1] - times[0]) / len(times)
+    later = np.append(np.diff(times) > least, values=True)
     return np.flatnonzero(later)

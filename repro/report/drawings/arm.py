@@ -26,7 +26,9 @@ from repro.report.drawings.style import (
     legend_height,
 )
 from repro.report.drawings.tool_path import numbered
+from repro.report.frames import INSTANT
 from repro.report.words import number
+from repro.robotics.own_motion import increasing
 from repro.robotics.skeleton import Skeleton
 
 Vector = NDArray[np.float64]
@@ -224,5 +226,7 @@ def _frame(motions: Sequence[Moving]) -> pd.DataFrame:
         columns=[f"{axis} of {name} [m]" for name in names for axis in "xyz"],
     )
     frame.insert(0, "motion", [motion.name for motion in motions for _ in motion.postures])
-    frame.insert(1, "time [s]", np.concatenate([motion.times for motion in motions]))
-    return frame
+    frame.insert(1, INSTANT, np.concatenate([motion.times for motion in motions]))
+    ends = np.cumsum([0, *(len(motion.times) for motion in motions)])
+    kept = [start + increasing(m.times) for start, m in zip(ends[:-1], motions, strict=True)]
+    return frame.iloc[np.concatenate(kept)]

@@ -15,7 +15,9 @@ from repro.model.evidence import Cell, Evidence
 from repro.model.experiment import Experiment
 from repro.model.figures import Motion
 from repro.report.drawings.style import CURVE_POINTS, Plot, line_style, name_left_axis, panels
+from repro.report.frames import INSTANT
 from repro.robotics import MinimumTime
+from repro.robotics.own_motion import increasing
 from repro.robotics.shown_motion import Moving, ShowsMotion, highest, lasting, moved, shortest
 
 Vector = NDArray[np.float64]
@@ -217,12 +219,16 @@ def sample_frame(
     derivatives: Sequence[int],
     joints: Sequence[int],
 ) -> pd.DataFrame:
-    """Return a row per sample: which motion, the time, every derivative of every joint."""
+    """Return a row per sample: which motion, the time, every derivative of every joint.
+
+    At an inner waypoint, where one segment ends and the next begins, stands the latter alone: a
+    controller refuses an instant that comes twice.
+    """
     named = [f"{QUANTITIES[m]} of joint {k} [{UNITS[m]}]" for m in derivatives for k in joints]
     parts = []
     for name, sample in sampled:
         part = pd.DataFrame(np.hstack([sample(m)[1] for m in derivatives]), columns=named)
         part.insert(0, what, name)
-        part.insert(1, "time [s]", sample(0)[0])
-        parts.append(part)
+        part.insert(1, INSTANT, sample(0)[0])
+        parts.append(part.iloc[increasing(sample(0)[0])])
     return pd.concat(parts, ignore_index=True)
