@@ -111,6 +111,18 @@ def tests(session: nox.Session) -> None:
 
 
 @nox.session
+def lowest(session: nox.Session) -> None:
+    """Run the tests with the lowest versions that pyproject.toml allows: its bounds are true."""
+    oldest = ("--resolution", "lowest-direct")
+    session.install(
+        *oldest, "-r", "pyproject.toml", "--extra", "test", "-r", "requirements/build.in"
+    )
+    session.install("--no-deps", "--no-build-isolation", "-e", ".")
+    kinds = ("-m", "not browser and not cluster and not full_size")
+    session.run("pytest", *kinds, *SPREAD, *session.posargs, env=TESTING)
+
+
+@nox.session
 def browser(session: nox.Session) -> None:
     """Look at the pages in Chromium: by mouse, by keyboard, without script, on a phone, printed."""
     _install(session, "browser")

@@ -4,6 +4,8 @@ import sys
 import time
 from typing import TextIO
 
+from repro.commands.streams import Shown
+
 PLAIN_SECONDS = 10.0  # between two plain lines
 TERMINAL_SECONDS = 0.1  # between two redraws
 _WIDTH = 30
@@ -35,7 +37,8 @@ class Progress:
             filled = _WIDTH * done // total
             bar = "█" * filled + "·" * (_WIDTH - filled)
             text = f"\r{bar} {text}\033[K" + ("\n" if last else "")
-            self._stream.write(text)
+            draw = self._stream.draw if isinstance(self._stream, Shown) else self._stream.write
+            draw(text)
         else:
             self._stream.write(text + "\n")
         self._stream.flush()

@@ -18,9 +18,12 @@ def show(rows: Sequence[Any], lines: Sequence[str], *, as_json: bool) -> int:
 
 def show_json(content: object) -> None:
     """Print JSON for programs."""
-    sys.stdout.write(json.dumps(content, indent=2, ensure_ascii=False) + "\n")
+    encoding = str(getattr(sys.stdout, "encoding", None) or "utf-8")
+    few = not encoding.lower().startswith("utf")  # letters that it lacks are spelt as JSON does
+    sys.stdout.write(json.dumps(content, indent=2, ensure_ascii=few) + "\n")
 
 
 def warn(line: str) -> None:
     """Say something to whoever called, apart from what was asked for."""
-    sys.stderr.write(f"repro: {line}\n")
+    one = line.replace("\n", r"\n")  # a text of a file is no line of its own
+    sys.stderr.write(f"repro: {one}\n")

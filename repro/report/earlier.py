@@ -84,7 +84,7 @@ def _fault(path: Path, fault_of: Callable[[dict[str, Any]], str]) -> str:
     """Return what is wrong with a file of JSON, "" for one that is right or not there."""
     try:
         content = json.loads(path.read_text(encoding="utf-8"))
-    except FileNotFoundError:
+    except (FileNotFoundError, NotADirectoryError):
         return ""
     except OSError as error:
         return str(error.strerror)

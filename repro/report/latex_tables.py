@@ -37,10 +37,11 @@ def latex_table(findings: pd.DataFrame, name: str) -> str:
     ]
     heads = "".join(rf" & \multicolumn{{2}}{{c}}{{{escaped(column)}}}" for column in columns)
     rules = "".join(rf"\cmidrule(lr){{{k}-{k + 1}}}" for k in range(2, 2 * len(columns) + 1, 2))
+    caption = f"{escaped(first['table'])} of {escaped(first['paper'])}, as printed and re-run"
     return "\n".join([
         r"\begin{table}",
         r"\centering",
-        rf"\caption{{{escaped(first['table'])} of {escaped(first['paper'])}, as printed and re-run}}",
+        rf"\caption{{{caption}}}",
         rf"\label{{tab:{name}}}",
         rf"\begin{{tabular}}{{l{'rr' * len(columns)}}}",
         r"\toprule",

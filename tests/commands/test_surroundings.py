@@ -3,6 +3,7 @@
 import os
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -21,12 +22,20 @@ with pytest.MonkeyPatch.context() as patch:
 ROOT = Path(__file__).parents[2]
 
 
-def called(*arguments: str, cwd: Path, **more: str) -> subprocess.CompletedProcess[str]:
+def called(
+    *arguments: str, cwd: Path, before: Callable[[], None] | None = None, **more: str
+) -> subprocess.CompletedProcess[str]:
     """Return what a process of its own says that knows the small paper alone."""
     environment = {**os.environ, "PYTHONPATH": str(ROOT), **more}
     call = (sys.executable, "-c", PAPERS, *arguments)
     return subprocess.run(
-        call, cwd=cwd, env=environment, check=False, capture_output=True, text=True
+        call,
+        cwd=cwd,
+        env=environment,
+        check=False,
+        capture_output=True,
+        text=True,
+        preexec_fn=before,
     )
 
 
@@ -54,9 +63,16 @@ def test_a_run_that_is_not_to_be_compiled_is_refused_in_one_line(tmp_path: Path)
 
 
 def test_a_locale_without_letters_stops_nothing(tmp_path: Path) -> None:
-    locale = {"LC_ALL": "C", "PYTHONCOERCECLOCALE": "0", "PYTHONUTF8": "0"}
-
-    done = called("reproduce", "--repeats", "1", "--protocol-only", cwd=tmp_path, **locale)
+    done = called(
+        "reproduce",
+        "--repeats",
+        "1",
+        "--protocol-only",
+        cwd=tmp_path,
+        LC_ALL="C",
+        PYTHONCOERCECLOCALE="0",
+        PYTHONUTF8="0",
+    )
 
     assert done.returncode == 0, done.stderr
     assert "Traceback" not in done.stderr
