@@ -90,16 +90,8 @@ def _add_names(parsers: Mapping[str, argparse.ArgumentParser]) -> None:
     parsers["compare"].add_argument(
         "search", metavar="MODULE:OBJECT", help="an optimiser, or a callable"
     )
-    for name in (
-        "reproduce",
-        "report",
-        "list",
-        "compare",
-        "audit",
-        "certify",
-        "references",
-        "export",
-    ):
+    takes_papers = ("reproduce", "report", "list", "compare", "audit", "certify", "references")
+    for name in (*takes_papers, "export"):
         parsers[name].add_argument("keys", nargs="*", metavar="PAPER", help=_PAPERS)
     parsers["new"].add_argument("key", metavar="KEY", help="names the paper: its author and year")
     parsers["check"].add_argument("keys", nargs="+", metavar="PAPER", help=_PAPER)

@@ -10,15 +10,16 @@ from typing import Any, Protocol
 import pandas as pd
 
 from repro.commands.catalogue import found_papers
+from repro.commands.plots import Plots
 from repro.commands.stored_results import Stored
 from repro.errors import InputError
 from repro.report.frames import (
     audit_frame,
     certificates_frame,
     findings_frame,
+    frame_of_tests,
     runs_frame,
     standings_frame,
-    tests_frame,
 )
 from repro.report.results import Json, read_results
 from repro.report.run_files import place_of_runs, read_runs
@@ -44,6 +45,9 @@ class Place(Protocol):
 
     def runs(self, key: str) -> pd.DataFrame:
         """Return every finished run of a paper."""
+
+    def algorithms(self, key: str, experiment: str, study: str) -> list[str]:
+        """Return the algorithms of an experiment whose curves there are."""
 
     def curves(self, key: str, cell: tuple[str, str, str], study: str) -> pd.DataFrame:
         """Return the best cost of every run after each iteration."""
@@ -82,7 +86,7 @@ class Results:
     @cached_property
     def tests(self) -> pd.DataFrame:
         """A row for each rank-sum test, and for each algorithm's rank by Friedman's test."""
-        return tests_frame(self._entries)
+        return frame_of_tests(self._entries)
 
     @cached_property
     def standings(self) -> pd.DataFrame:
@@ -103,6 +107,16 @@ class Results:
         """
         self._checked(key)
         return self.source.curves(key, (experiment, problem, algorithm), study)
+
+    def algorithms(self, key: str, experiment: str, *, study: str = PROTOCOL) -> list[str]:
+        """Return the algorithms of an experiment whose curves there are; InputError as `curves`."""
+        self._checked(key)
+        return self.source.algorithms(key, experiment, study)
+
+    @property
+    def plot(self) -> Plots:
+        """The figures of the pages, as axes of matplotlib."""
+        return Plots(self)
 
     def _checked(self, key: str) -> None:
         if key not in self.papers:
@@ -150,10 +164,16 @@ class Reports:
         how: Mapping[str, Any] = entry["provenance"]
         return runs_frame(key, published, how.get("drawn_as", {}), how["master_seed"])
 
+    def algorithms(self, key: str, experiment: str, study: str) -> list[str]:
+        """Raise InputError: pages hold no curves."""
+        raise self._without_curves(key, experiment, study)
+
     def curves(self, key: str, cell: tuple[str, str, str], study: str) -> pd.DataFrame:
         """Raise InputError: pages hold no curves."""
-        message = (
-            f"curves of {key} ({study}, {'/'.join(cell)}) are not in {self.place}: "
+        raise self._without_curves(key, "/".join(cell), study)
+
+    def _without_curves(self, key: str, what: str, study: str) -> InputError:
+        return InputError(
+            f"curves of {key} ({study}, {what}) are not in {self.place}: "
             'only a store has them, as in repro.load(".repro")'
         )
-        raise InputError(message)

@@ -17,7 +17,15 @@ from repro.model.paper import Paper
 from repro.report.frames import PUBLISHED, RUNS, runs_frame
 from repro.report.results import Json, paper_result
 from repro.runs.plan import Task, plan
-from repro.runs.raw_runs import RawRun, drawn_as, every_task, places, ran_as, raw_run
+from repro.runs.raw_runs import (
+    RawRun,
+    drawn_as,
+    every_task,
+    experiments_of,
+    places,
+    ran_as,
+    raw_run,
+)
 from repro.runs.run import Record
 from repro.runs.store.store import Store
 from repro.runs.studies import Study, studies
@@ -61,7 +69,9 @@ class Stored:
         experiment, problem, algorithm = cell
         wanted = (ran_as(study, experiment), problem, algorithm)
         with self._opened() as (store, repeats):
-            tasks = [task for task in every_task(paper, repeats) if _cell(task) == wanted]
+            tasks = [
+                task for task in every_task(paper, repeats, wanted[0]) if _cell(task) == wanted
+            ]
             records = [record for record in store.records(tasks) if record.reason is None]
         if not records:
             message = f"no runs of {'/'.join(wanted)} of {key} in {self.place}"
@@ -76,12 +86,21 @@ class Stored:
             line[: len(record.history)] = record.history
         return pd.DataFrame(values, index=index, columns=columns)
 
+    def algorithms(self, key: str, experiment: str, study: str) -> list[str]:
+        """Return the algorithms of an experiment; InputError where there is no such one."""
+        with self._opened() as (_, repeats):
+            known = experiments_of(self._paper(key), repeats)
+        name = ran_as(study, experiment)
+        if name not in known:
+            message = f"no experiment {name!r} of {key}; there are: {', '.join(known)}"
+            raise InputError(message)
+        return list(known[name].algorithms)
+
     def cells(self, key: str) -> Iterator[tuple[Experiment, list[Record]]]:
         """Yield the finished runs of a paper, those of one algorithm on one problem at a time."""
         paper = self._paper(key)
         with self._opened() as (store, repeats):
-            besides = (study.experiment for study in studies(paper, repeats))
-            known = {each.name: each for each in (*besides, *paper.experiments)}
+            known = experiments_of(paper, repeats)
             for (name, *_), group in groupby(every_task(paper, repeats), key=_cell):
                 if records := [each for each in store.records(group) if each.reason is None]:
                     yield known[name], records

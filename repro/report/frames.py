@@ -75,7 +75,7 @@ def certificates_frame(entries: Entries) -> pd.DataFrame:
     return pd.DataFrame(rows, columns=list(CERTIFICATES))
 
 
-def tests_frame(entries: Entries) -> pd.DataFrame:
+def frame_of_tests(entries: Entries) -> pd.DataFrame:
     """Return a row for each rank-sum test, and one for each rank of an algorithm."""
     return pd.DataFrame(_rows(entries, lambda entry: entry["tests"]), columns=list(TESTS))
 

@@ -36,6 +36,7 @@ def latex_table(findings: pd.DataFrame, name: str) -> str:
         for row in dict.fromkeys(findings["row"])
     ]
     heads = "".join(rf" & \multicolumn{{2}}{{c}}{{{escaped(column)}}}" for column in columns)
+    caption = f"{escaped(first['table'])} of {escaped(first['paper'])}, as printed and re-run"
     rules = "".join(rf"\cmidrule(lr){{{k}-{k + 1}}}" for k in range(2, 2 * len(columns) + 1, 2))
     caption = f"{escaped(first['table'])} of {escaped(first['paper'])}, as printed and re-run"
     return "\n".join([

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
+from repro.model.experiment import Experiment
 from repro.model.paper import Paper
 from repro.runs.plan import Task, tasks_of
 from repro.runs.run import Record
@@ -84,10 +85,18 @@ def drawn_as(paper: Paper, besides: Iterable[Study]) -> dict[str, str]:
     return {each.name: each.drawn_as for each in experiments if each.drawn_as}
 
 
-def every_task(paper: Paper, repeats: int, seed: str = "") -> Iterator[Task]:
+def experiments_of(paper: Paper, repeats: int) -> dict[str, Experiment]:
+    """Return by name what is run of a paper in so many repeats; of two with one the first."""
+    besides = (study.experiment for study in studies(paper, repeats))
+    return {each.name: each for each in reversed((*paper.experiments, *besides))}
+
+
+def every_task(paper: Paper, repeats: int, only: str = "") -> Iterator[Task]:
     """Yield every run that a store with so many repeats may hold of a paper, cell by cell.
 
-    A study may have been repeated as often as the protocol to decide what it turns.
+    They are of all experiments, or of the one whose name is given. A study may have been repeated
+    as often as the protocol to decide what it turns.
     """
     besides = (study.experiment for study in studies(paper, repeats))
-    yield from tasks_of(paper, ((each, repeats) for each in (*paper.experiments, *besides)), seed)
+    wanted = (each for each in (*paper.experiments, *besides) if only in {"", each.name})
+    yield from tasks_of(paper, ((each, repeats) for each in wanted))

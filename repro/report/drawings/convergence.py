@@ -11,7 +11,6 @@ from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
 from repro.model.evidence import Evidence
-from repro.model.experiment import Experiment
 from repro.model.figures import Convergence
 from repro.report.drawings.style import (
     CURVE_POINTS,
@@ -108,14 +107,15 @@ def convergence_plot(figure: Convergence, evidence: Evidence) -> Plot | None:
     if not curves:
         return None
     experiment = evidence.experiment(figure.experiment)
+    names = tuple(experiment.algorithms)
     legend = [
-        Line2D([], [], label=name, **_style(name, experiment))
-        for name in experiment.algorithms
+        Line2D([], [], label=name, **_style(name, names, experiment.proposed))
+        for name in names
         if any(name in panel for panel in curves.values())
     ]
     canvas, places = panels_two_abreast(len(curves), height=1.7, legend=legend, gaps=(0.62, 0.62))
     for axes, (problem, panel) in zip(places, curves.items(), strict=True):
-        _draw_panel(axes, panel, experiment)
+        draw_curves(axes, panel, names, experiment.proposed)
         axes.set_title(problem)
     for axes in places[::2]:
         name_left_axis(axes, "best cost")
@@ -136,11 +136,11 @@ def _curves(figure: Convergence, evidence: Evidence) -> tuple[Panels, list[str]]
             if runs is None:
                 missing.append(f"{algorithm} on {problem}")
             else:
-                curves.setdefault(problem, {})[algorithm] = _curve(runs.histories[0], points)
+                curves.setdefault(problem, {})[algorithm] = curve_of(runs.histories[0], points)
     return curves, missing
 
 
-def _curve(histories: Vector, points: int) -> Curve:
+def curve_of(histories: Vector, points: int) -> Curve:
     """Return the curve of histories (runs, iterations), thinned out to that many points."""
     known = np.flatnonzero(np.isfinite(histories).all(axis=0))  # a search may start without a cost
     picked = known[np.unique(np.linspace(0, len(known) - 1, points).round().astype(int))]
@@ -154,19 +154,22 @@ def _curve(histories: Vector, points: int) -> Curve:
     )
 
 
-def _style(algorithm: str, experiment: Experiment) -> Style:
+def _style(algorithm: str, names: Sequence[str], proposed: str = "") -> Style:
     """Return how an algorithm is drawn: the proposed one wider and on top."""
-    style = line_style(list(experiment.algorithms).index(algorithm))
-    if algorithm == experiment.proposed:
+    style = line_style(names.index(algorithm))
+    if algorithm == proposed:
         style |= {"linewidth": 2.4, "zorder": 3}
     return style
 
 
-def _draw_panel(axes: Axes, panel: Mapping[str, Curve], experiment: Experiment) -> None:
+def draw_curves(
+    axes: Axes, panel: Mapping[str, Curve], names: Sequence[str], proposed: str = ""
+) -> None:
+    """Draw one curve an algorithm; `names` are all that have a style, in their order."""
     costs = np.concatenate([np.concatenate([c.lowest, c.highest]) for c in panel.values()])
     scale = CostScale.of(costs)
     for algorithm, curve in panel.items():
-        style = _style(algorithm, experiment)
+        style = _style(algorithm, names, proposed)
         low, middle, high = map(scale.place, (curve.lowest, curve.median, curve.highest))
         axes.fill_between(
             curve.iterations, low, high, color=style["color"], alpha=0.18, linewidth=0

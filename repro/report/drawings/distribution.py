@@ -64,7 +64,7 @@ def distribution_plot(drawn: Sequence[Panel]) -> Plot:
         len(drawn), height=LINE * (most + 0.5), legend=_legend(drawn), gaps=(0.86, 0.55)
     )
     for axes, panel in zip(places, drawn, strict=True):
-        _draw(axes, panel)
+        draw_strips(axes, panel)
     return Plot(canvas=canvas, description=_description(drawn), frame=_frame(drawn))
 
 
@@ -82,7 +82,8 @@ def _legend(drawn: Sequence[Panel]) -> list[Line2D]:
     ]
 
 
-def _draw(axes: Axes, panel: Panel) -> None:
+def draw_strips(axes: Axes, panel: Panel) -> None:
+    """Draw the strips of one panel from the top down."""
     everything = np.concatenate(
         [[*strip.quantiles, *strip.printed.values()] for strip in panel.strips]
     )

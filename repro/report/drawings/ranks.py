@@ -1,10 +1,11 @@
 """Average ranks on a line, with bars over those that Nemenyi's test does not tell apart."""
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import pandas as pd
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from repro.report.drawings.style import RIGHT, TOP, WIDTH, Plot, Style, empty
 from repro.statistics.friedman import Friedman, not_told_apart
@@ -17,15 +18,24 @@ THIN: Style = {"color": "#000000", "linewidth": 0.8, "solid_capstyle": "butt"}
 THICK: Style = {"color": "#D55E00", "linewidth": 3.2, "solid_capstyle": "butt"}
 
 
-def rank_plot(names: Sequence[str], found: Friedman, printed: Mapping[str, str]) -> Plot:
-    """Return the critical-difference diagram of Demšar (2006), the lowest rank at the left."""
+def rank_plot(
+    names: Sequence[str],
+    found: Friedman,
+    printed: Mapping[str, str],
+    *,
+    canvas: Callable[[float], Figure] = empty,
+) -> Plot:
+    """Return the critical-difference diagram of Demšar (2006), the lowest rank at the left.
+
+    `canvas` makes a figure of our width and a height in inches.
+    """
     order = sorted(range(len(names)), key=lambda k: found.ranks[k])
     groups = not_told_apart(found.ranks, found.critical_difference)
     left = order[: math.ceil(len(order) / 2)]
     top = ABOVE + BAR * (len(groups) + 1)
     height = 2 * TOP + top + LINE * len(left)
-    canvas = empty(height)
-    axes = canvas.add_axes((MARGIN / WIDTH, 0, 1 - (2 * MARGIN + RIGHT) / WIDTH, 1 - TOP / height))
+    drawn = canvas(height)
+    axes = drawn.add_axes((MARGIN / WIDTH, 0, 1 - (2 * MARGIN + RIGHT) / WIDTH, 1 - TOP / height))
     axes.set(xlim=(1, len(names)), ylim=(height - TOP, 0))
     axes.axis("off")
     _draw_axis(axes, len(names), found.critical_difference)
@@ -38,7 +48,7 @@ def rank_plot(names: Sequence[str], found: Friedman, printed: Mapping[str, str])
             _draw_name(axes, f"{names[k]} {found.ranks[k]:.2f}", found.ranks[k],
                        y=top + LINE * (line + 0.5), edge=edge, alignment=alignment)  # fmt: skip
     return Plot(
-        canvas=canvas,
+        canvas=drawn,
         description=_description(names, order, found, groups),
         frame=_frame(names, order, found, printed),
     )
