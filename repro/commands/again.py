@@ -10,6 +10,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from repro.commands import catalogue
+from repro.commands.arguments import STORE
+from repro.commands.compare_entrants import entrant_in
 from repro.commands.compiled_code import say_whether_kept
 from repro.commands.shown_rows import warn
 from repro.determinism.provenance import provenance
@@ -19,10 +21,13 @@ from repro.model.evidence import Evidence
 from repro.model.identifiers import claim_names, place_of
 from repro.model.paper import Paper
 from repro.report.words import count_of, digits_for, interval, number
+from repro.runs.compared import tasks_of
 from repro.runs.gather import gather
 from repro.runs.plan import Task, plan
+from repro.runs.run import execute
 from repro.runs.session import mended, run_missing
 from repro.runs.store.store import Store
+from repro.runs.verify import Outcome, compare
 from repro.runs.workers.local import checked_workers, local
 from repro.tables.published import UNITS
 
@@ -66,6 +71,8 @@ class Again:
 def run(options: Namespace) -> int:
     """Print what the first repeat gives for the number here and now."""
     paper = catalogue.chosen_one(options)
+    if task := _compared_run(options, paper):
+        return _run_of_search(task, options.store or STORE)
     workers = checked_workers(options.workers)
     say_whether_kept()
     with local(workers) as executor:
@@ -79,6 +86,30 @@ def run(options: Namespace) -> int:
         )
     sys.stdout.write(found.text)
     return 0
+
+
+def _compared_run(options: Namespace, paper: Paper) -> Task | None:
+    """Return the run of a search that was compared, where the name is that of one."""
+    tasks = tasks_of(options.store or STORE, [paper], entrant_in, warn)
+    names = (options.name, f"{paper.key}/{options.name}")
+    return next((task for task in tasks if task.name in names), None)
+
+
+def _run_of_search(task: Task, folder: Path) -> int:
+    """Make one run of a compared search again and show it beside the stored one."""
+    with Store(folder, writing=False) as store:
+        stored = next(iter(store.records([task])), None)
+    made = execute(task)
+    if made.reason:
+        message = f"run {task.name} failed: {made.reason}"
+        raise RunFailedError(message)
+    before = "not stored" if stored is None else stored.reason or repr(stored.cost)
+    same = stored is None or compare(stored, made).outcome is not Outcome.MISMATCH
+    sys.stdout.write(
+        f"{task.name}\n  stored    {before}\n  re-run    {made.cost!r} ({made.evaluations} "
+        f"evaluations; {'the same' if same else 'another run'})\n"
+    )
+    return 0 if same else RunFailedError.exit_code
 
 
 def run_again(

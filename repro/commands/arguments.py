@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from repro.commands.audit_settings import add_audit_options, audit_command, is_table_file
+from repro.commands.compare_settings import add_compare_options
 from repro.errors import InputError
 
 DEFAULT_REPEATS = 10
@@ -87,15 +88,11 @@ def _add_motion(motion: argparse.ArgumentParser) -> None:
 
 def _add_names(parsers: Mapping[str, argparse.ArgumentParser]) -> None:
     """Add what stands behind a command: papers, a number, a store, a search, two results."""
-    parsers["compare"].add_argument(
-        "search", metavar="MODULE:OBJECT", help="an optimiser, or a callable"
-    )
-    takes_papers = ("reproduce", "report", "list", "compare", "audit", "certify", "references")
-    for name in (*takes_papers, "export"):
+    add_compare_options(parsers["compare"])
+    for name in ("reproduce", "report", "list", "audit", "certify", "references", "export"):
         parsers[name].add_argument("keys", nargs="*", metavar="PAPER", help=_PAPERS)
     parsers["new"].add_argument("key", metavar="KEY", help="names the paper: its author and year")
     parsers["check"].add_argument("keys", nargs="+", metavar="PAPER", help=_PAPER)
-    parsers["compare"].add_argument("--name", help="what the pages call it (default: OBJECT)")
     again, verify, flips = parsers["again"], parsers["verify"], parsers["flips"]
     again.add_argument("keys", nargs=1, metavar="PAPER", help=_PAPER)
     again.add_argument("name", metavar="NAME", help="the number, as its page and its CSV call it")
@@ -132,7 +129,9 @@ def _add_runs(parsers: Mapping[str, argparse.ArgumentParser]) -> None:
     reproduce.add_argument(
         "--processes", action="store_true", help="every run in a process, safe from its crash"
     )
-    reproduce.add_argument("--dask", metavar="ADDRESS", help="use the Dask cluster at this address")
+    for name in ("reproduce", "compare"):
+        text = "use the Dask cluster at this address"
+        parsers[name].add_argument("--dask", metavar="ADDRESS", help=text)
     for name in ("reproduce", "report", "again", "verify"):
         parsers[name].add_argument(
             "--master-seed", default="", metavar="TEXT", help="makes every run another one"

@@ -3,7 +3,6 @@
 import sys
 from argparse import Namespace
 from collections.abc import Sequence
-from functools import partial
 from pathlib import Path
 
 from repro.commands import catalogue
@@ -12,20 +11,19 @@ from repro.commands.expected_verdicts import expected_rows, summary
 from repro.commands.interrupts import terminable
 from repro.commands.made_before import remember
 from repro.commands.progress import Progress
+from repro.commands.running import run_lacking
 from repro.commands.shown_rows import warn
 from repro.commands.unchanged import Written
 from repro.commands.written_pages import write_pages
-from repro.determinism.provenance import provenance
 from repro.errors import SOME_RUN_FAILED
 from repro.report.earlier import check_folder
 from repro.report.files import usable_folder
 from repro.report.results import Json, read_results
 from repro.runs.plan import Task, plan
 from repro.runs.run import Record
-from repro.runs.session import mended, run_missing
+from repro.runs.session import mended
 from repro.runs.store.store import Store
-from repro.runs.workers import dask_cluster
-from repro.runs.workers.local import checked_workers, local
+from repro.runs.workers.local import checked_workers
 
 
 def run(options: Namespace) -> int:
@@ -42,11 +40,11 @@ def run(options: Namespace) -> int:
     def work() -> tuple[list[Record], Json | None]:
         if catalogue.of_this_house(options.places.values()) and written.stand(store):
             return [], read_results(options.reports / "results.json")
-        failed = _run(store, tasks, options)
+        failed = run_lacking(store, tasks, options, Progress())
         remember(options.store, chosen)
 
         def deeper(more: Sequence[Task]) -> None:
-            failed.extend(_run(store, more, options))
+            failed.extend(run_lacking(store, more, options, Progress()))
 
         results = write_pages(
             store, chosen, tasks, options.reports, known, deeper, called=options.called
@@ -76,15 +74,3 @@ def _looked_at(options: Namespace, keys: Sequence[str], known: Sequence[str]) ->
         expected_rows(path)
     say_whether_kept()
     return lists
-
-
-def _run(store: Store, tasks: Sequence[Task], options: Namespace) -> list[Record]:
-    """Run what the store lacks, here or on a cluster, and return the failed runs."""
-    missing = partial(run_missing, store, tasks, environment=provenance, report=Progress())
-    if options.dask:
-        with dask_cluster.cluster(options.dask) as (executor, threads):
-            batch = dask_cluster.BATCH_SECONDS
-            return missing(executor=executor, workers=threads, batch_seconds=batch)
-    workers = checked_workers(options.workers)
-    with local(workers, processes=options.processes) as executor:
-        return missing(executor=executor, workers=workers)

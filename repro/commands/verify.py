@@ -5,9 +5,12 @@ import sys
 from argparse import Namespace
 
 from repro.commands import catalogue
+from repro.commands.compare_entrants import entrant_in
 from repro.commands.compiled_code import say_whether_kept
+from repro.commands.shown_rows import warn
 from repro.determinism.provenance import provenance
 from repro.errors import SOME_RUN_FAILED, InputError, StoreError
+from repro.runs.compared import tasks_of
 from repro.runs.plan import plan
 from repro.runs.store.store import Store
 from repro.runs.verify import Outcome, verify
@@ -19,9 +22,13 @@ def run(options: Namespace) -> int:
     say_whether_kept()
     with Store(folder, writing=False) as store:
         repeats = max(store.repeats(), options.repeats)
+    papers = catalogue.chosen(options)
     found = verify(
         folder,
-        plan(catalogue.chosen(options), repeats, options.master_seed),
+        (
+            *plan(papers, repeats, options.master_seed),
+            *tasks_of(folder, papers, entrant_in, warn),
+        ),
         sample=options.sample,
         seed=options.seed,
         here=provenance(),

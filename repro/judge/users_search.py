@@ -1,7 +1,7 @@
 """Where a user's search stands in one experiment of a paper, beside what is printed and run."""
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -17,9 +17,12 @@ from repro.model.evidence import Cell, Runs
 from repro.model.experiment import Experiment
 from repro.model.measures.measure import Statistic
 from repro.model.paper import Paper
+from repro.runs.honesty import Warned
 from repro.statistics.effect_size import win_probability
 from repro.statistics.rank_sum import holm, rank_sum_p
 from repro.tables.published import Printed
+
+EVEN = 0.5  # chance to win of two searches that are alike
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -52,15 +55,54 @@ def users_search(
     runs: Mapping[Cell, Runs],
     certificates: Sequence[Certificate],
     *,
-    name: str,
+    name: str | Sequence[str],
+    against: Sequence[str] = (),
 ) -> UsersSearch:
-    """Return where the search of that name stands, as far as it and the others were run."""
-    found = experiment_standings(experiment, runs, certificates, yours=(name,))
+    """Return where searches of these names stand, as far as they and the others were run.
+
+    `against` are the others that are wanted; all where it is empty. One alone has no rank.
+    """
+    names = (name,) if isinstance(name, str) else tuple(name)
+    cells = {cell: r for cell, r in runs.items() if not against or cell[2] in (*names, *against)}
+    found = experiment_standings(experiment, cells, certificates, yours=names)
+    found = replace(found, problems=tuple(map(_unranked_alone, found.problems)))
     return UsersSearch(
         standings=found,
         printed={p: printed_means(paper, experiment.name, p) for p in experiment.problems},
         tests=_tests(found.problems),
     )
+
+
+def _unranked_alone(standing: ProblemStandings) -> ProblemStandings:
+    """Return a standing without the rank of one alone, which says nothing."""
+    if sum(row.rank is not None for row in standing.rows) != 1:
+        return standing
+    return replace(standing, rows=tuple(replace(row, rank=None) for row in standing.rows))
+
+
+def mean_against_chance(test: UsersTest) -> bool:
+    """Return whether the lower mean belongs to the search that seldom ends lower."""
+    gap = test.own.mean - test.other.mean
+    return (gap < 0.0 and test.wins < EVEN) or (gap > 0.0 and test.wins > EVEN)
+
+
+def chance_warnings(found: Iterable[UsersSearch]) -> list[Warned]:
+    """Return a warning for each pair on a problem that mean and chance to win order differently."""
+    return [
+        Warned(
+            kind="mean against chance",
+            says=f"{each.standings.experiment.name}/{test.problem}: by mean {test.own.algorithm} "
+            f"({test.own.mean:.4g}) stands {_side(test)} {test.other.algorithm} "
+            f"({test.other.mean:.4g}), and yet a run of it ends lower with chance {test.wins:.2f}",
+        )
+        for each in found
+        for test in each.tests
+        if mean_against_chance(test)
+    ]
+
+
+def _side(test: UsersTest) -> str:
+    return "before" if test.own.mean < test.other.mean else "behind"
 
 
 def printed_means(paper: Paper, experiment: str, problem: str) -> Mapping[str, Printed]:
@@ -85,7 +127,7 @@ def _tests(problems: Sequence[ProblemStandings]) -> tuple[UsersTest, ...]:
         for standing in problems
         for own in standing.rows
         for other in standing.rows
-        if own.kind == "yours" and other.kind != "yours"
+        if own.kind == "yours" and (other.kind != "yours" or own.algorithm < other.algorithm)
     ]
     p_values = np.array([rank_sum_p(own.costs, other.costs) for _, own, other in pairs])
     return tuple(

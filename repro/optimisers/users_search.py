@@ -1,25 +1,26 @@
 """A user's own search, found by name and held to the rules of the others."""
 
+import hashlib
 import importlib
 import math
 import os
 import sys
+from contextlib import redirect_stdout
 from dataclasses import dataclass
 from typing import Any, ClassVar, Unpack
 
 import numpy as np
 from numpy.typing import NDArray
 
+from repro.determinism.plain_costs import callable_cost
 from repro.determinism.source_digests import digest_of
 from repro.errors import InputError
-from repro.optimisers.own_search import (
-    OwnSearch,
-    checked_point,
-    filled,
-    has_protocol,
-    refuse_what_is_no_search,
-)
+from repro.optimisers.global_generators import seeded
+from repro.optimisers.libraries.budget import BudgetSpent, iterations_of
+from repro.optimisers.metered import Meter, MeteredProblem
+from repro.optimisers.own_search import checked_point, filled, has_protocol
 from repro.optimisers.search import Budget, Problem, Result, noise_of, value, without_noise
+from repro.optimisers.search_forms import Offer, called_with, check_form, is_asked, point_in
 
 Vector = NDArray[np.float64]
 ROUNDING = 1e-9  # share by which a cost may differ that was summed in another order
@@ -29,27 +30,67 @@ ROUNDING = 1e-9  # share by which a cost may differ that was summed in another o
 class Entrant:
     """A search named by its place, "module:object"; `source` is the digest of its source code.
 
-    It is an object with our protocol, or a callable f(cost, bounds, budget, rng) -> x, which may
-    ask for the cost of `budget` points of shape (n,) inside `bounds`, shape (n, 2).
+    It comes in one of the forms that `search_forms` knows, or is an object with our protocol. Its
+    evaluations are those that its cost is asked for. The generators that all of a program shares
+    are seeded by the run, so that it comes out again.
     """
 
     holds_interpreter: ClassVar[bool] = True
+    seeds_shared: ClassVar[bool] = True
     place: str
     source: str
+
+    def found(self) -> Any:  # noqa: ANN401 (whatever the user wrote)
+        """Return the search; InputError where there is none."""
+        return load(self.place)
+
+    def prepare(self, problem: Problem) -> None:
+        """Load the search and compile the cost, which is no part of the time of a run."""
+        self.found()
+        bounds, data = np.array(problem.bounds, dtype=np.float64), np.array(problem.data)
+        callable_cost(problem.kernel)(bounds.mean(axis=1), data.astype(np.float64))
 
     def minimise(self, problem: Problem, **budget: Unpack[Budget]) -> Result:
         """Return the best point found by at most N·T evaluations.
 
         Raises InputError for a search that leaves the box, overspends or returns no point.
         """
-        found = load(self.place)
+        return self.noted(problem, budget)[0]
+
+    def noted(self, problem: Problem, budget: Budget, salt: str = "") -> tuple[Result, str]:
+        """Return the result, and what is to be said of how it was counted, "" for nothing.
+
+        With another `salt` the shared generators are seeded otherwise. Raises as `minimise`.
+        """
+        found = self.found()
+        state = f"{salt}{budget['rng'].bit_generator.state}"
+        seed = int.from_bytes(hashlib.sha256(state.encode()).digest()[:4], "big")
         try:
-            if has_protocol(found):
-                return _by_protocol(found, problem, budget)
-            return OwnSearch(search=found).minimise(problem, **budget)
+            with seeded(seed):
+                if has_protocol(found):
+                    return _by_protocol(found, problem, budget)
+                return _by_call(found, problem, budget), ""
         except SystemExit:
             message = "it tried to end the program"
             raise InputError(message) from None
+
+
+def _by_call(found: Any, problem: Problem, budget: Budget) -> Result:  # noqa: ANN401
+    """Run a search until it ends or its budget does."""
+    steps = iterations_of(budget)
+    meter = Meter(problem, population=budget["population"], iterations=steps)
+    offer = Offer(
+        cost=meter.as_function(), bounds=meter.bounds, budget=meter.budget, rng=budget["rng"]
+    )
+    try:
+        returned = called_with(found, offer)
+        if returned is not None or not (is_asked(found) or meter.spent):
+            meter.judge(point_in(returned, len(meter.bounds)))
+    except BudgetSpent:
+        pass
+    if meter.faults:
+        raise meter.faults[0]
+    return filled(meter.result(), steps)
 
 
 def entrant(place: str) -> Entrant:
@@ -73,7 +114,8 @@ def load(place: str) -> Any:  # noqa: ANN401 (whatever the user wrote)
             message = f"{module!r} has no {name!r}; it has: {known or 'nothing'}"
             raise InputError(message)
         found = getattr(found, part)
-    refuse_what_is_no_search(found, place)
+    if not has_protocol(found):
+        check_form(found, place)
     return found
 
 
@@ -82,7 +124,8 @@ def _imported(module: str) -> Any:  # noqa: ANN401
     if here not in sys.path:
         sys.path.insert(0, here)
     try:
-        return importlib.import_module(module)
+        with redirect_stdout(sys.stderr):  # what a search prints is no answer of ours
+            return importlib.import_module(module)
     except ModuleNotFoundError as error:
         missing = f"no module {error.name!r} in this folder or among the installed ones"
         message = missing if error.name == module else f"{module!r} cannot be imported: {missing}"
@@ -92,10 +135,27 @@ def _imported(module: str) -> Any:  # noqa: ANN401
         raise InputError(message) from None
 
 
-def _by_protocol(search: Any, problem: Problem, budget: Budget) -> Result:  # noqa: ANN401
-    population, iterations = budget["population"], budget["iterations"]
-    allowed = population * iterations
-    result = search.minimise(problem, population=population, evaluations=allowed, rng=budget["rng"])
+def _by_protocol(search: Any, problem: Problem, budget: Budget) -> tuple[Result, str]:  # noqa: ANN401
+    population, iterations = budget["population"], iterations_of(budget)
+    meter = Meter(problem, population=population, iterations=iterations)
+    allowed, rng = meter.budget, budget["rng"]
+    shown = MeteredProblem(problem, meter)
+    try:
+        result = search.minimise(shown, population=population, evaluations=allowed, rng=rng)
+    except BudgetSpent:
+        result = None
+    if meter.overrun:
+        note = f"it went on after the {allowed} evaluations of a run and was stopped there"
+        return filled(meter.result(), iterations), note
+    found, said = _told(result, problem, allowed, iterations)
+    counted = meter.spent or said
+    note = f"it declares {said} evaluations, and its cost was asked {meter.spent} times"
+    found = Result(x=found.x, cost=found.cost, history=found.history, evaluations=counted)
+    return filled(found, iterations), "" if said == meter.spent else note
+
+
+def _told(result: Any, problem: Problem, allowed: int, iterations: int) -> tuple[Result, int]:  # noqa: ANN401
+    """Return what an object says that it found, checked, and the evaluations that it declares."""
     try:
         cost, evaluations = float(result.cost), int(result.evaluations)
         history = np.array(result.history, dtype=np.float64)
@@ -114,8 +174,7 @@ def _by_protocol(search: Any, problem: Problem, budget: Budget) -> Result:  # no
     if history.ndim != 1 or not 0 < len(history) <= iterations or np.any(np.diff(history) > 0.0):
         message = f"its history is not the best cost so far of up to {iterations} iterations"
         raise InputError(message)
-    found = Result(x=point, cost=true, history=history, evaluations=evaluations)
-    return filled(found, iterations)
+    return Result(x=point, cost=true, history=history, evaluations=evaluations), evaluations
 
 
 def _nearest_cost(problem: Problem, point: Vector, said: float) -> float:

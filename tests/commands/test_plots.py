@@ -51,10 +51,13 @@ def test_every_curve_has_its_own_name_in_the_legend(results: Results) -> None:
     _, axes = plt.subplots()
 
     assert results.plot.convergence("small2020", "search", "bowl", ax=axes) is axes
-    entries = axes.get_legend().legend_handles
-    shown = [text.get_text() for text in axes.get_legend().get_texts()]
+    legend = axes.get_legend()
+    assert legend
+    shown = [text.get_text() for text in legend.get_texts()]
     assert shown == ["guess", "wide"]
-    assert [entry.get_color() for entry in entries] == [line.get_color() for line in axes.lines]
+    assert [line.get_color() for line in legend.get_lines()] == [
+        line.get_color() for line in axes.lines
+    ]
     medians = results.curves("small2020", "search", "bowl", "guess").median().to_numpy()
     assert np.log10(medians) == pytest.approx(axes.lines[0].get_ydata()) or medians == (
         pytest.approx(axes.lines[0].get_ydata())

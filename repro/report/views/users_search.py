@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from repro.judge.beside_baselines import ProblemStandings
-from repro.judge.users_search import UsersSearch, UsersTest
+from repro.judge.users_search import UsersSearch, UsersTest, mean_against_chance
 from repro.report.views.baselines import StandingsView, standings_view
 from repro.report.words import number
 from repro.tables.published import Printed
@@ -26,16 +26,23 @@ def users_search_view(found: UsersSearch) -> UsersSearchView:
     return UsersSearchView(
         standings=standings_view(found.standings, seconds=True),
         printed=tuple(
-            _printed(found.printed[standing.problem], standing)
+            _printed(found.printed[standing.problem], standing, name)
             for standing in found.standings.problems
+            for name in _owns(standing)
         ),
         tests=tuple(map(_test, found.tests)),
     )
 
 
-def _printed(printed: Mapping[str, Printed], standing: ProblemStandings) -> Texts:
+def _owns(standing: ProblemStandings) -> tuple[str, ...]:
+    """Return the searches of the user's own that have runs; one without a name where none has."""
+    return tuple(row.algorithm for row in standing.rows if row.kind == "yours") or ("",)
+
+
+def _printed(printed: Mapping[str, Printed], standing: ProblemStandings, name: str) -> Texts:
     """Return problem, printed means, the search's own mean, and its place among them."""
-    own = next((row for row in standing.rows if row.kind == "yours"), None)
+    rows = (row for row in standing.rows if (row.algorithm, row.kind) == (name, "yours"))
+    own = next(rows, None)
     texts = "; ".join(f"{name} {p.text} {p.unit}".strip() for name, p in printed.items())
     if own is None or not printed:
         return standing.problem, texts or "none", "–" if own is None else number(own.mean), "–"
@@ -52,5 +59,5 @@ def _test(test: UsersTest) -> Texts:
         number(test.other.mean),
         number(test.p),
         number(test.holm),
-        f"{test.wins:.2f}",
+        f"{test.wins:.2f}" + (", against the mean" if mean_against_chance(test) else ""),
     )

@@ -9,16 +9,19 @@ import pickle
 import signal
 import subprocess
 import sys
+from collections.abc import Callable
 from contextlib import suppress
+from dataclasses import replace
 from multiprocessing import Pipe
 from multiprocessing.connection import Connection
 from queue import SimpleQueue
 from threading import Event, Thread
 
 from repro.runs.plan import Task
-from repro.runs.run import Record, execute, failed
+from repro.runs.run import Record, execute, failed, prepare
 from repro.runs.workers.pickling import pack, stripped, unpack
 
+ALIVE, LATE = b"alive", b"late"
 TRIES = 3  # deaths of a worker that one task may cause before it is named and given up
 _PROGRAM = (
     "import sys; sys.path[:] = sys.argv[2:]; "
@@ -52,7 +55,10 @@ class WorkerProcess:
         except (pickle.PicklingError, AttributeError, TypeError):
             return execute(task)
         for _ in range(TRIES):
-            answer = self._ask(payload)
+            answer = self._ask(payload, task.timeout)
+            if answer == LATE:
+                reason = f"it did not return within {task.timeout} s"
+                return failed(task, reason, task.timeout or 0.0)
             if answer is not None:
                 values = pickle.loads(answer)  # noqa: S301 (from our own process)
                 return execute(task) if values is None else Record(task=task, **values)
@@ -61,14 +67,23 @@ class WorkerProcess:
                 raise StoppedError
         return failed(task, f"its worker died {TRIES} times, the last time by {ending}", 0.0)
 
-    def _ask(self, payload: bytes) -> bytes | None:
-        """Return the answer of the process, or None where it has died."""
+    def _ask(self, payload: bytes, timeout: float | None) -> bytes | None:
+        """Return the answer of the process, None where it has died, LATE where time is over.
+
+        The time begins anew with every sign that the process gives: it is ready, it goes on.
+        """
         connection = self._connection or self._started()
         try:
             connection.send_bytes(payload)
-            return connection.recv_bytes()
+            answer = connection.recv_bytes()
+            while answer == ALIVE:
+                if not connection.poll(timeout):
+                    self._give_up()
+                    return LATE
+                answer = connection.recv_bytes()
         except (EOFError, OSError):
             return None
+        return answer
 
     def _started(self) -> Connection:
         if self._stopped.is_set():
@@ -79,6 +94,7 @@ class WorkerProcess:
                 (sys.executable, "-c", _PROGRAM, str(theirs.fileno()), *sys.path),
                 pass_fds=(theirs.fileno(),),
                 stdin=subprocess.DEVNULL,
+                stdout=subprocess.DEVNULL,  # what a search prints is no answer of ours
                 env={**os.environ, **_ONE_THREAD},
                 start_new_session=True,  # Ctrl-C is for the driver, which decides what it means
             )
@@ -86,6 +102,14 @@ class WorkerProcess:
         if self._stopped.is_set():  # told to stop meanwhile
             self.kill()
         return ours
+
+    def _give_up(self) -> None:
+        """End the process, so that the next run has another."""
+        if self._process and self._connection:
+            self._process.kill()
+            self._process.wait()
+            self._connection.close()
+            self._connection = None
 
     def _ending(self) -> str:
         """Return what ended the process, and clear up behind it."""
@@ -118,8 +142,9 @@ def serve(handle: int) -> None:
     connection = Connection(handle)
     payloads: SimpleQueue[bytes] = SimpleQueue()
     Thread(target=_listen, args=(connection, payloads), daemon=True).start()
+    begun: set[object] = set()
     while True:
-        connection.send_bytes(_answer(payloads.get()))
+        connection.send_bytes(_answer(payloads.get(), begun, lambda: connection.send_bytes(ALIVE)))
 
 
 def _listen(connection: Connection, payloads: SimpleQueue[bytes]) -> None:
@@ -130,10 +155,24 @@ def _listen(connection: Connection, payloads: SimpleQueue[bytes]) -> None:
     os._exit(0)
 
 
-def _answer(payload: bytes) -> bytes:
-    """Return the packed record of a run, or a packed None for a task that is unknown here."""
+def _answer(payload: bytes, begun: set[object], alive: Callable[[], None]) -> bytes:
+    """Return the packed record of a run, or a packed None for a task that is unknown here.
+
+    The first run of a search that can be prepared is made twice: the time of the second is free of
+    what the search loads and compiles itself. `begun` are those that have run here.
+    """
     try:
         (task,) = unpack(payload)
     except Exception:  # noqa: BLE001 (whatever importing a stranger's module raises)
         return pickle.dumps(None)
-    return pickle.dumps(stripped(execute(task)))
+    with suppress(Exception):  # the run itself says what is wrong
+        prepare(task)
+    alive()
+    record = execute(task)
+    search = getattr(task.optimiser, "place", None)
+    if search is not None and search not in begun and record.reason is None:
+        alive()
+        begun.add(search)
+        again = execute(task)
+        record = replace(record, seconds=min(record.seconds, again.seconds))
+    return pickle.dumps(stripped(record))

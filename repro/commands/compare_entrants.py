@@ -1,0 +1,135 @@
+"""The searches that a comparison is of: their places, names, and the page that is theirs alone."""
+
+import ast
+import hashlib
+import importlib
+import importlib.metadata
+import inspect
+import json
+import re
+import sys
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from repro.determinism.source_files import is_own
+from repro.errors import InputError
+from repro.model.identifiers import anchor
+from repro.model.paper import Paper
+from repro.optimisers.libraries import BASELINES
+from repro.optimisers.users_search import Entrant, entrant
+
+_PLAIN = re.compile(r"[A-Za-z0-9][\w.-]*", re.ASCII)
+_TAKEN = ("results", "index", "verdicts", "another-seed")  # files that published pages have
+_LONGEST = 80  # characters of a file's name
+
+
+def split(given: Sequence[str]) -> tuple[list[str], list[str]]:
+    """Return the places of searches and the papers among what stands behind the command.
+
+    Raises InputError where there is no search.
+    """
+    places = [word for word in given if ":" in word and not Path(word).exists()]
+    if not places:
+        message = f"{given[0]!r} is not MODULE:OBJECT, as in searches:anneal"
+        raise InputError(message)
+    return places, [word for word in given if word not in places]
+
+
+def named(
+    places: Sequence[str], names: Sequence[str], papers: Iterable[Paper]
+) -> dict[str, Entrant]:
+    """Return each search by its name; InputError for a name that is taken or cannot be one."""
+    if names and len(names) != len(places):
+        message = f"{len(names)} names are given by --name for {len(places)} searches"
+        raise InputError(message)
+    found = [entrant(place) for place in places]
+    called = list(names) or [place.rpartition(":")[2] for place in places]
+    for name in called:
+        if called.count(name) > 1:
+            message = f"two searches have the name {name!r}: give each a --name"
+            raise InputError(message)
+        check_name(name, papers)
+    return dict(zip(called, found, strict=True))
+
+
+def entrant_in(place: str, folder: str) -> Entrant:
+    """Return the search at a place, found from the folder where it was compared.
+
+    Raises InputError where it is there no longer.
+    """
+    if folder not in sys.path:
+        sys.path.append(folder)
+    return entrant(place)
+
+
+def check_name(name: str, papers: Iterable[Paper]) -> None:
+    """Raise InputError for a name that another algorithm has, or that cannot be shown."""
+    taken = {
+        algorithm
+        for paper in papers
+        for experiment in paper.experiments
+        for algorithm in (*experiment.algorithms, *BASELINES)
+    }
+    if name in taken:
+        message = f"the name {name!r} belongs to another algorithm: choose one with --name"
+        raise InputError(message)
+    if not name.strip() or "/" in name or not name.isprintable():
+        message = f"the name {name!r} must be printable, with no '/': choose one with --name"
+        raise InputError(message)
+
+
+def stem(folder: Path, names: Sequence[str]) -> str:
+    """Return the name of the files of a comparison: no other comparison in the folder has it."""
+    plain = [name if _PLAIN.fullmatch(name) else anchor(name) or "search" for name in names]
+    called = "-and-".join(plain)
+    digest = hashlib.sha256("\0".join(names).encode()).hexdigest()[:8]
+    if len(called) > _LONGEST:
+        called = f"{called[:_LONGEST]}-{digest}"
+    taken = called.lower() in _TAKEN or _names_in(folder / f"{called}.json") not in (None, [*names])
+    return f"{called}-{digest}" if taken else called
+
+
+def _names_in(path: Path) -> list[str] | None:
+    """Return the searches that a comparison's file is of; None where there is no such file."""
+    try:
+        content: Any = json.loads(path.read_text(encoding="utf-8"))
+        return [str(name) for name in content["names"]]
+    except OSError:
+        return None
+    except (ValueError, LookupError, TypeError):
+        return []
+
+
+def libraries(places: Iterable[str]) -> Mapping[str, str]:
+    """Return the version of every library that the modules of searches import, by its name."""
+    owners = importlib.metadata.packages_distributions()
+    seen: dict[str, None] = {}
+    for place in places:
+        _add_imports(place.partition(":")[0], seen)
+    names = {owner for name in seen for owner in owners.get(name.partition(".")[0], ())}
+    return {name: importlib.metadata.version(name) for name in sorted(names)}
+
+
+def _add_imports(module: str, seen: dict[str, None]) -> None:
+    """Add what a module of the user's own imports, and what its own modules import."""
+    if module in seen:
+        return
+    seen[module] = None
+    loaded = sys.modules.get(module)
+    if loaded is None or not is_own(module):
+        return
+    try:
+        tree = ast.parse(inspect.getsource(loaded))
+    except (OSError, TypeError, SyntaxError):
+        return
+    for name in _imported(tree):
+        _add_imports(name, seen)
+
+
+def _imported(tree: ast.AST) -> Iterator[str]:
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            yield from (each.name for each in node.names)
+        elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
+            yield node.module

@@ -1,0 +1,171 @@
+"""What a comparison does, for the command and for Python: plan, run, check, judge."""
+
+import shlex
+from argparse import Namespace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from repro.commands.arguments import STORE
+from repro.commands.compare_entrants import libraries
+from repro.commands.running import run_lacking
+from repro.determinism.provenance import provenance
+from repro.errors import InputError
+from repro.judge.certificates import certify
+from repro.judge.comparison import Asked, Comparison, Missing, Part
+from repro.judge.users_search import chance_warnings, users_search
+from repro.model.evidence import Evidence
+from repro.model.paper import Paper
+from repro.optimisers.libraries import BASELINES
+from repro.runs.compared import Compared, narrowed, remember
+from repro.runs.gather import gather
+from repro.runs.honesty import identical, probed
+from repro.runs.plan import Task, plan
+from repro.runs.store.store import Store
+from repro.runs.studies import PER_STUDY, studies
+from repro.runs.workers.local import checked_workers, local
+
+_LONGEST = 1e7  # seconds, of a time limit: no run takes months
+
+
+def compared(
+    asked: Asked,
+    papers: Sequence[Paper],
+    options: Namespace,
+    report: Callable[[int, int], None],
+    *,
+    ready: Callable[[], object] = tuple,
+) -> Comparison:
+    """Run the searches as far as the store lacks them, make one again, and judge them all.
+
+    Options say where and by whom runs are made (`store`, `workers`, `dask`, `called`); `ready` is
+    called before anything is run. Raises
+    InputError for a name that is unknown and a number that cannot be.
+    """
+    own = _protocols(asked, papers)
+    tasks = [
+        _timed(task, asked.timeout)
+        for task in plan(own.values(), asked.repeats)
+        if task.algorithm in asked.searches
+    ]
+    ready()
+    places = [getattr(search, "place", "") for search in asked.searches.values()]
+    used = libraries(places)
+
+    def environment() -> dict[str, object]:
+        return {**provenance(), "libraries": dict(used)}
+
+    with Store(options.store, say=options.say) as store:
+        failed = run_lacking(store, tasks, options, report, environment)
+        remember(options.store, _noted(asked, own))
+        stored = {record.task.key: record for record in store.records(tasks)}
+        parts = tuple(
+            part for key, paper in own.items()
+            for part in _parts(store, next(p for p in papers if p.key == key), paper, tasks, asked)
+        )  # fmt: skip
+    with local(checked_workers(options.workers)) as executor:
+        seen = probed(tasks, stored, executor)
+    warnings = (*seen, *identical(tasks, stored), *chance_warnings(part.found for part in parts))
+    return Comparison(
+        asked=asked,
+        parts=parts,
+        records=tuple(stored[task.key] for task in tasks if task.key in stored),
+        failed=tuple(failed),
+        warnings=warnings,
+        missing=tuple(_missing(parts, asked, options)),
+        libraries=used,
+    )
+
+
+def _timed(task: Task, timeout: float | None) -> Task:
+    return replace(task, timeout=timeout)
+
+
+def _protocols(asked: Asked, papers: Sequence[Paper]) -> dict[str, Paper]:
+    """Return the papers narrowed, by key; InputError for what none of them has."""
+    experiments = {e.name: e for paper in papers for e in paper.experiments}
+    all_of = [e for paper in papers for e in paper.experiments]
+    known = {
+        "--experiment": (asked.experiments, list(experiments)),
+        "--problem": (asked.problems, [name for e in all_of for name in e.problems]),
+        "--algorithm": (asked.against, [n for e in all_of for n in (*e.algorithms, *BASELINES)]),
+    }
+    for option, (wanted, names) in known.items():
+        for name in wanted:
+            if name not in names:
+                shown = ", ".join(dict.fromkeys(names))
+                message = f"{option} {name!r} is in none of these papers; they have {shown}"
+                raise InputError(message)
+    if asked.runs is not None and asked.runs < 1:
+        message = f"--runs is {asked.runs}; it must be 1 or more"
+        raise InputError(message)
+    if asked.timeout is not None and not 0.0 < asked.timeout < _LONGEST:
+        message = f"--timeout is {asked.timeout}; it must be a number of seconds above 0"
+        raise InputError(message)
+    found = {
+        paper.key: narrowed(
+            paper, dict(asked.searches), experiments=asked.experiments, problems=asked.problems,
+            runs=asked.runs,
+        )
+        for paper in papers
+    }  # fmt: skip
+    kept = {key: paper for key, paper in found.items() if paper.experiments}
+    if not kept:
+        message = f"no experiment has both {', '.join((*asked.experiments, *asked.problems))}"
+        raise InputError(message)
+    return kept
+
+
+def _noted(asked: Asked, own: Mapping[str, Paper]) -> list[Compared]:
+    return [
+        Compared(
+            paper=key, name=name, place=search.place, experiments=asked.experiments,
+            problems=asked.problems, runs=asked.runs, repeats=asked.repeats,
+            folder=str(Path.cwd()),
+        )
+        for key in own
+        for name, search in asked.searches.items()
+        if hasattr(search, "place")
+    ]  # fmt: skip
+
+
+def _parts(
+    store: Store, paper: Paper, own: Paper, tasks: Sequence[Task], asked: Asked
+) -> list[Part]:
+    """Return each experiment judged, with the runs of others that the store has of it."""
+    names = {experiment.name: experiment for experiment in own.experiments}
+    others = gather(store, paper, plan([paper], PER_STUDY), studies(paper, PER_STUDY))
+    found = gather(store, own, tasks)
+    runs = {**others.runs, **found.runs}
+    certificates = certify(paper)
+    parts = []
+    for whole in paper.experiments:
+        if whole.name in names:
+            some = replace(whole, problems=names[whole.name].problems)
+            judged = users_search(
+                paper, some, runs, certificates, name=tuple(asked.searches), against=asked.against
+            )
+            evidence = Evidence(paper.key, (some,), runs)
+            parts.append(Part(paper=paper, experiment=some, found=judged, evidence=evidence))
+    return parts
+
+
+def _missing(parts: Sequence[Part], asked: Asked, options: Namespace) -> list[Missing]:
+    found = []
+    for part in parts:
+        name = part.experiment.name
+        lacking = tuple(
+            algorithm
+            for algorithm in part.experiment.algorithms
+            if (not asked.against or algorithm in asked.against)
+            and any((name, problem, algorithm) not in part.evidence.runs
+                    for problem in part.experiment.problems)
+        )  # fmt: skip
+        if lacking:
+            called = options.called.get(part.paper.key, part.paper.key)
+            at = [] if options.store == STORE else ["--store", str(options.store)]
+            command = shlex.join(["repro", "reproduce", called, *at])
+            found.append(Missing(
+                paper=part.paper.key, experiment=name, algorithms=lacking, command=command
+            ))  # fmt: skip
+    return found

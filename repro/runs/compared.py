@@ -1,0 +1,105 @@
+"""Which searches of users were compared with a store, so that their runs can be planned again."""
+
+import json
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import asdict, dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from repro.errors import InputError
+from repro.model.paper import Paper
+from repro.optimisers.users_search import Entrant
+from repro.runs.plan import Task, plan
+
+NAME = "compared.json"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Compared:
+    """One search under one paper: its name, where it is found, and how much of it was run."""
+
+    paper: str
+    name: str
+    place: str
+    experiments: tuple[str, ...]
+    problems: tuple[str, ...]
+    runs: int | None
+    repeats: int
+    folder: str
+
+
+def narrowed(
+    paper: Paper,
+    searches: dict[str, Any],
+    *,
+    experiments: Sequence[str] = (),
+    problems: Sequence[str] = (),
+    runs: int | None = None,
+) -> Paper:
+    """Return a paper's protocols with these searches alone, no claims, and only what is named.
+
+    An empty list names all; `runs` stand in the place of the protocol's. Experiments without any
+    of the problems are left out.
+    """
+    first = next(iter(searches))
+    kept = tuple(
+        replace(
+            experiment, algorithms=dict(searches), proposed=first, problems=some,
+            runs=experiment.runs if runs is None else runs,
+        )
+        for experiment in paper.experiments
+        if not experiments or experiment.name in experiments
+        if (some := {name: p for name, p in experiment.problems.items()
+                     if not problems or name in problems})
+    )  # fmt: skip
+    bare = replace(
+        paper, results=(), claims=(), assumptions=(), together=(), figures=(), relations=()
+    )
+    return replace(bare, experiments=kept)
+
+
+def remember(store: Path, found: Sequence[Compared]) -> None:
+    """Keep beside a store what was compared; the latest of one name is what is known of it."""
+    known = {(each.paper, each.name): each for each in (*recalled(store), *found)}
+    text = json.dumps([asdict(each) for each in known.values()], indent=1, ensure_ascii=False)
+    aside = store / f"{NAME}.new"
+    aside.write_text(text + "\n", encoding="utf-8")
+    aside.replace(store / NAME)
+
+
+def recalled(store: Path) -> list[Compared]:
+    """Return what was compared with a store; nothing where that is not known."""
+    try:
+        rows: Any = json.loads((store / NAME).read_text(encoding="utf-8"))
+        return [
+            Compared(**{**row, **{k: tuple(row[k]) for k in ("experiments", "problems")}})
+            for row in rows
+        ]
+    except (OSError, ValueError, LookupError, TypeError):
+        return []  # the runs stay what they are: they can be compared again
+
+
+def tasks_of(
+    store: Path,
+    papers: Sequence[Paper],
+    load: Callable[[str, str], Entrant],
+    say: Callable[[str], None],
+) -> Iterator[Task]:
+    """Yield the runs of searches that were compared under these papers.
+
+    `load` returns the search at a place, and one that it cannot find is named by `say`.
+    """
+    declared = {paper.key: paper for paper in papers}
+    for each in recalled(store):
+        if each.paper not in declared:
+            continue
+        try:
+            found: Entrant = load(each.place, each.folder)
+        except InputError as error:
+            say(f"{each.name}, compared before, is not looked at: {error}")
+            continue
+        own = narrowed(
+            declared[each.paper], {each.name: found}, experiments=each.experiments,
+            problems=each.problems, runs=each.runs,
+        )  # fmt: skip
+        yield from (t for t in plan([own], each.repeats) if t.algorithm == each.name)

@@ -1,0 +1,187 @@
+"""Whether a search's runs come out again: a sampled one made anew, alone, after another, otherwise.
+
+Each is made in a fresh process: what one leaves behind reaches no other.
+"""
+
+from collections.abc import Iterator, Sequence
+from concurrent.futures import Executor
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar, Literal, Unpack
+
+import numpy as np
+
+from repro.determinism.seeds import generator
+from repro.errors import InputError
+from repro.optimisers.search import Budget, Problem, Result
+from repro.runs.plan import Task
+from repro.runs.run import Record, execute
+from repro.runs.verify import Outcome, compare
+from repro.runs.workers.process import StoppedError, WorkerProcess
+
+Kind = Literal[
+    "hidden randomness",
+    "state between runs",
+    "identical runs",
+    "uncounted evaluations",
+    "mean against chance",
+]
+SALT = "otherwise"
+_NOTED = "it is to be said that "
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Warned:
+    """Something that a reader of a comparison must know."""
+
+    kind: Kind
+    says: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Probe:
+    """An entrant whose shared generators are seeded with a salt, after another run of it or none.
+
+    With `tells` it fails with what is to be said of how the run was counted, if there is anything.
+    """
+
+    holds_interpreter: ClassVar[bool] = True
+    seeds_shared: ClassVar[bool] = True
+    entrant: Any
+    salt: str = ""
+    after: str = ""
+    tells: bool = False
+
+    def prepare(self, problem: Problem) -> None:
+        """Load the search and compile the cost."""
+        self.entrant.prepare(problem)
+
+    def minimise(self, problem: Problem, **budget: Unpack[Budget]) -> Result:
+        """Return what the entrant finds; see there."""
+        if self.after:
+            first: Any = {**budget, "rng": generator(self.after)}
+            self.entrant.noted(problem, first)
+        result: Result
+        result, note = self.entrant.noted(problem, budget, self.salt)
+        if self.tells and note:
+            raise InputError(_NOTED + note)
+        return result
+
+
+def probed(tasks: Sequence[Task], stored: dict[str, Record], executor: Executor) -> list[Warned]:
+    """Return what a sampled run of each search says of it; `tasks` are finished and `stored`.
+
+    The sample is the last run of the first problem on which there are several.
+    """
+    searches: dict[str, list[Task]] = {}
+    for task in tasks:
+        if task.key in stored and stored[task.key].reason is None:
+            searches.setdefault(task.algorithm, []).append(task)
+    asked = []
+    for own in searches.values():
+        task = _sampled(own)
+        kinds: tuple[dict[str, Any], ...] = (
+            {},
+            {"salt": SALT},
+            {"after": _another(own, task).stream},
+            {"tells": True},
+        )
+        asked.append((task, [executor.submit(_alone, _probe(task, **kind)) for kind in kinds]))
+    return [
+        warned
+        for task, futures in asked
+        for warned in _told(stored[task.key], *(future.result() for future in futures))
+    ]
+
+
+def _sampled(tasks: Sequence[Task]) -> Task:
+    """Return the last run of the first cell."""
+    first = tasks[0]
+    place = (first.paper, first.experiment, first.problem)
+    return [t for t in tasks if (t.paper, t.experiment, t.problem) == place][-1]
+
+
+def _another(tasks: Sequence[Task], task: Task) -> Task:
+    """Return a run of another seed; the same where there is one alone."""
+    return next((t for t in tasks if t.stream != task.stream), task)
+
+
+def _probe(task: Task, **kind: Any) -> Task:  # noqa: ANN401 (fields of a probe)
+    timeout = None if task.timeout is None else task.timeout * (2 if "after" in kind else 1)
+    return replace(task, optimiser=Probe(entrant=task.optimiser, **kind), timeout=timeout)
+
+
+def _alone(task: Task) -> Record:
+    """Return the record of a run in a process that does nothing else."""
+    worker = WorkerProcess()
+    try:
+        return worker.execute(task)
+    except StoppedError:
+        return execute(task)
+    finally:
+        worker.close()
+
+
+def _told(
+    stored: Record, alone: Record, otherwise: Record, after: Record, counted: Record
+) -> Iterator[Warned]:
+    """Yield what differs between a run and the same made again."""
+    run, name = stored.task.name, stored.task.algorithm
+    if _differ(alone, otherwise):
+        yield Warned(
+            kind="hidden randomness",
+            says=f"{name} draws from what it was not given: run {run} ends at {_end(alone)}, and "
+            f"at {_end(otherwise)} with other global seeds; only `rng` is seeded by the run",
+        )
+    elif _differ(alone, after) or _differ(alone, stored):
+        other = after if _differ(alone, after) else stored
+        yield Warned(
+            kind="state between runs",
+            says=f"{name} remembers earlier runs: run {run} ends at {_end(alone)} when it is made "
+            f"alone, and at {_end(other)} after another",
+        )
+    if counted.reason and _NOTED in counted.reason:
+        note = counted.reason.partition(_NOTED)[2]
+        yield Warned(
+            kind="uncounted evaluations",
+            says=f"{name} counts otherwise than its cost: {note}; shown is what was counted",
+        )
+
+
+def _differ(one: Record, other: Record) -> bool:
+    """Return whether two records of one run are not the same bits."""
+    if one.reason or other.reason:
+        return one.reason != other.reason
+    return compare(one, other).outcome is not Outcome.MATCH
+
+
+def _end(record: Record) -> str:
+    return f"a failure ({record.reason})" if record.reason else repr(record.cost)
+
+
+def identical(tasks: Sequence[Task], stored: dict[str, Record]) -> list[Warned]:
+    """Return which searches gave the very same run under several seeds."""
+    cells: dict[tuple[str, str, str, str], list[bytes]] = {}
+    for task in tasks:
+        record = stored.get(task.key)
+        if record is not None and record.reason is None:
+            cell = (task.algorithm, task.paper, task.experiment, task.problem)
+            bits = np.concatenate([record.history, record.x, [record.cost]]).tobytes()
+            cells.setdefault(cell, []).append(bits)
+    same: dict[str, list[str]] = {}
+    for (name, *place), runs in cells.items():
+        if len(set(runs)) < len(runs):
+            text = f"{'/'.join(place)} ({len(set(runs))} different of {len(runs)})"
+            same.setdefault(name, []).append(text)
+    return [
+        Warned(
+            kind="identical runs",
+            says=f"{name} gives the same run under other seeds: {_some(places)}; it does not draw "
+            "from `rng`, so that its runs are no sample",
+        )
+        for name, places in same.items()
+    ]
+
+
+def _some(places: Sequence[str], most: int = 4) -> str:
+    more = f" and {len(places) - most} more" if len(places) > most else ""
+    return ", ".join(places[:most]) + more

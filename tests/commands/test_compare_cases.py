@@ -1,0 +1,205 @@
+"""What searches of other people do, each case once: counted, checked, narrowed, named."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from repro.__main__ import main
+from tests.determinism.edited_packages import forget
+from tests.small_papers import PAPER, let_be_known
+
+MODULE = """
+import random, time
+from concurrent.futures import ThreadPoolExecutor
+import numpy as np
+from scipy.optimize import direct, differential_evolution
+from repro.optimisers import Result
+
+def centre(cost, bounds, budget, rng): return bounds.mean(axis=1)
+def guess(cost, bounds, budget, rng):
+    points = rng.uniform(*bounds.T, size=(budget, len(bounds)))
+    return min(points, key=cost)
+def threads(cost, bounds, budget, rng):
+    points = rng.uniform(*bounds.T, size=(10 * budget, len(bounds)))
+    with ThreadPoolExecutor(8) as pool:
+        return points[int(np.argmin(list(pool.map(cost, points))))]
+def hidden(cost, bounds, budget, rng):
+    return min([[random.uniform(*pair) for pair in bounds] for _ in range(budget)], key=cost)
+seen = []
+def remembers(cost, bounds, budget, rng):
+    seen.append(rng.uniform(*bounds.T))
+    return min(seen, key=cost)
+def one(cost, bounds, budget, rng):
+    x = rng.uniform(*bounds.T)
+    cost(x)
+    return x
+def batch(cost, bounds, budget, rng):
+    points = rng.uniform(*bounds.T, size=(budget, len(bounds)))
+    return points[np.argmin(cost(points))]
+def boxed(cost, bounds, budget, rng): return direct(cost, bounds, maxfun=budget).x
+def loud(cost, bounds, budget, rng):
+    print("LOUD")
+    return guess(cost, bounds, budget, rng)
+def never(cost, bounds, budget, rng):
+    while True: time.sleep(0.01)
+
+class Hungry:
+    def __init__(self, spent): self.spent = spent
+    def minimise(self, problem, population, evaluations, rng):
+        points = rng.uniform(*problem.bounds.T, size=(self.spent, len(problem.bounds)))
+        costs = [problem.kernel(x, problem.data) for x in points]
+        best = int(np.argmin(costs))
+        return Result(x=points[best], cost=costs[best], history=np.array(costs[best:best + 1]),
+                      evaluations=1)
+hungry, modest = Hungry(200_000), Hungry(9)
+
+class Asking:
+    def __init__(self, bounds, budget, rng): self.bounds, self.rng = bounds, rng
+    def ask(self): return self.rng.uniform(*self.bounds.T, size=(4, len(self.bounds)))
+    def tell(self, points, costs): pass
+"""
+Run = Callable[..., tuple[int, str, str]]
+
+
+@pytest.fixture
+def run(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> Iterator[Run]:
+    """Yield what compares searches of a module with a small paper."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(sys, "path", [*sys.path])
+    let_be_known(monkeypatch, PAPER)
+    (tmp_path / "mine.py").write_text(MODULE)
+    forget()
+
+    def command(*arguments: str) -> tuple[int, str, str]:
+        code = main(("compare", *arguments, "--workers", "1", "--quiet"))
+        return (code, *capfd.readouterr())
+
+    yield command
+    sys.modules.pop("mine", None)
+
+
+def results(name: str) -> dict[str, Any]:
+    found: dict[str, Any] = json.loads(Path(f"reports-private/{name}.json").read_text())
+    return found
+
+
+def kinds(name: str) -> set[str]:
+    return {warned["kind"] for warned in results(name)["warnings"]}
+
+
+def evaluations(name: str) -> set[int]:
+    return {row["evaluations"] for row in results(name)["runs"] if row["algorithm"] == name}
+
+
+def test_every_form_of_a_search_is_counted_as_its_cost_is_asked(run: Run) -> None:
+    names = ("threads", "one", "batch", "Asking", "modest", "hungry")
+
+    code, *_ = run(*(f"mine:{name}" for name in names), "--runs", "1")
+
+    found = results("-and-".join(names))
+    counted = {row["algorithm"]: row["evaluations"] for row in found["runs"]}
+    assert code == 0
+    assert counted == {"threads": 20, "one": 1, "batch": 20, "Asking": 20, "modest": 9,
+                       "hungry": 20}  # fmt: skip
+    told = [w["says"] for w in found["warnings"] if w["kind"] == "uncounted evaluations"]
+    assert any("modest" in says and "declares 1 evaluations" in says for says in told)
+    assert any("hungry" in says and "stopped" in says for says in told)
+    assert len(told) == 2
+
+
+def test_bounds_are_taken_by_scipys_direct(run: Run) -> None:
+    assert run("mine:boxed", "--runs", "2")[0] == 0
+    assert kinds("boxed") == {"identical runs"}
+
+
+@pytest.mark.parametrize(
+    ("name", "kind"), [("hidden", "hidden randomness"), ("remembers", "state between runs")]
+)
+def test_run_that_does_not_come_out_again_is_named_everywhere(
+    run: Run, name: str, kind: str
+) -> None:
+    code, _, err = run(f"mine:{name}")
+
+    assert code == 0
+    assert kinds(name) == {kind}
+    assert f"repro: {kind}: {name}" in err
+    assert kind in Path(f"reports-private/{name}.html").read_text()
+
+
+def test_honest_search_is_warned_of_nothing_and_its_prints_go_nowhere(run: Run) -> None:
+    code, out, err = run("mine:loud")
+
+    assert (code, err) == (0, "")
+    assert "LOUD" not in out
+    assert results("loud")["warnings"] == []
+
+
+def test_missing_comparisons_are_named_and_one_alone_has_no_rank(run: Run) -> None:
+    _, out, _ = run("mine:guess", "--name", "own")
+
+    assert "no runs of guess, wide in small2020/search: `repro reproduce small2020` makes" in out
+    assert {row["rank"] for row in results("own")["standings"]} == {None}
+
+
+def test_two_names_are_two_pages(run: Run) -> None:
+    for name in ("a_b", "a-b", "<a b>", "<a;b>", "results"):
+        run("mine:centre", "--name", name, "--runs", "1")
+
+    pages = list(Path("reports-private").glob("*.html"))
+    assert len(pages) == 5
+    assert {"a_b.html", "a-b.html"} <= {page.name for page in pages}
+    assert not Path("reports-private/results.json").exists()
+
+
+def test_search_that_never_returns_is_a_failed_run(run: Run) -> None:
+    code, _, err = run("mine:never", "--timeout", "0.3", "--runs", "1")
+
+    assert code == 1
+    assert "run small2020/search/bowl/never/1/1 failed: it did not return within 0.3 s" in err
+
+
+def test_work_is_narrowed_to_what_is_named(run: Run) -> None:
+    run("mine:guess", "--name", "own", "--problem", "bowl", "--experiment", "search", "--runs", "2")
+
+    assert len(results("own")["runs"]) == 2
+    code, _, err = run("mine:guess", "--name", "own", "--problem", "bowls")
+    assert (code, err.count("\n")) == (2, 1)
+    assert "--problem 'bowls' is in none of these papers; they have bowl" in err
+
+
+def test_compared_runs_are_verified_and_made_again(
+    run: Run, capfd: pytest.CaptureFixture[str]
+) -> None:
+    run("mine:guess", "--name", "own")
+
+    assert main(("verify",)) == 0
+    assert "match: 3" in capfd.readouterr().out
+    assert main(("again", "small2020", "search/bowl/own/1/2")) == 0
+    assert "the same" in capfd.readouterr().out
+
+
+def test_termination_is_told_by_143(tmp_path: Path) -> None:
+    (tmp_path / "mine.py").write_text(MODULE)
+    process = subprocess.Popen(
+        (sys.executable, "-m", "repro", "compare", "mine:never", "liang2026", "--runs", "1"),
+        cwd=tmp_path, stderr=subprocess.PIPE, text=True,
+        env={**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])},
+    )  # fmt: skip
+    while not (tmp_path / ".repro" / "runs.sqlite").exists():
+        time.sleep(0.05)
+    time.sleep(0.5)
+    process.send_signal(signal.SIGTERM)
+
+    _, err = process.communicate(timeout=60)
+    assert process.returncode == 143
+    assert "Traceback" not in err
