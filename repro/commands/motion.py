@@ -108,9 +108,8 @@ def _share(gap: float | None) -> str:
 
 def _planners(beside: Sequence[OutsideReference]) -> Iterator[str]:
     for each in beside:
-        shown = (
-            f"skipped, {each.skipped}" if each.time is None else f"{each.time:.6g} s, {each.what}"
-        )
+        what = each.what[:1].lower() + each.what[1:].removesuffix(", in s")
+        shown = f"skipped, {each.skipped}" if each.time is None else f"{each.time:.6g} s, {what}"
         yield f"  {each.planner}: {shown}"
 
 

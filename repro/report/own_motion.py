@@ -65,7 +65,7 @@ def page(found: OwnResult, *, says: Sequence[str]) -> str:
     postures = _postures(found) if drawn and found.chain else None
     with drawing_style():
         plots = _svg(joint_plots(found), "joints", "The joints over time") if drawn else ""
-        arm = _svg(still(postures[1], found.problem), "arm", "The arm") if postures else ""
+        arm = _svg(still(postures[1]), "arm", "The arm") if postures else ""
     scene = None
     if postures:
         times, corners = postures

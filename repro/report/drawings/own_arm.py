@@ -8,7 +8,6 @@ from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
 from repro.report.drawings.style import COLOURS, WIDTH, draw_legend, empty, legend_height
-from repro.robotics.own_motion import OwnMotion
 
 Vector = NDArray[np.float64]
 AZIMUTH, ELEVATION = math.radians(35), math.radians(20)
@@ -21,12 +20,12 @@ def seen(places: Vector) -> Vector:
     return np.asarray(places @ np.array([[-s, -low * c], [c, -low * s], [0.0, high]]))
 
 
-def still(corners: Vector, problem: OwnMotion) -> Figure:
+def still(corners: Vector) -> Figure:
     """Return the drawing of postures (n, corners, 3) in m, from the start to the end."""
     legend = [
         Line2D([], [], label="start", color=COLOURS[0], linewidth=4),
         Line2D([], [], label="end", color=COLOURS[1], linewidth=4),
-        Line2D([], [], label=f"path of the tool, {problem.segments} segments", color=COLOURS[2]),
+        Line2D([], [], label="path of the tool", color=COLOURS[2]),
     ]
     flat = seen(corners)
     span = np.vstack([flat.reshape(-1, 2), [[0.0, 0.0]]])

@@ -64,7 +64,7 @@ def least_total(
         smaller = tightened(limits, box, longest, watch)
         if smaller is None:
             continue
-        bound, optimum = _bounded(limits, smaller, _near(best))
+        bound, optimum = _bounded(limits, smaller, _near(best), watch)
         bound = max(bound, lower)
         motion = just_obeying(problem, optimum.x)
         if motion.sum() < best.sum() * (1.0 - GAIN) or best.sum() == math.inf > motion.sum():
@@ -127,13 +127,13 @@ def tightened(limits: Limits, box: Box, total: Fraction, watch: Watch = ENDLESS)
     return tuple(sides)
 
 
-def _bounded(limits: Limits, box: Box, goal: float) -> tuple[Fraction, Optimum]:
+def _bounded(limits: Limits, box: Box, goal: float, watch: Watch) -> tuple[Fraction, Optimum]:
     """Return a bound on the total time in a box, and the optimum that it comes from."""
     corners, ones = np.array(box, dtype=np.float64), np.ones(len(box))
     for _ in range(ROUNDS):
         found = solved(limits, ones, corners, corners)
         bound = proved(limits, ones, box, found)
-        if bound >= goal or not limits.add_worst(found.x):
+        if bound >= goal or watch.over or not limits.add_worst(found.x):
             break
     return rounded_down(bound), found
 

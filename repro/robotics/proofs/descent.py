@@ -74,7 +74,7 @@ def descended(
         )
         for _ in range(ROUNDS):
             found = solved(limits, np.ones(len(best)), around, anywhere)
-            if not limits.add_worst(found.x):
+            if watch.over or not limits.add_worst(found.x):
                 break
         motion, held = just_obeying(problem, found.x), found.weights
         gain = best.sum() - motion.sum()

@@ -130,7 +130,10 @@ def _in_unit(problem: MinimumTimeSpline, watch: Watch) -> SplineProof:
         limit for limit, weight in zip(cuts, weights, strict=True) if weight > BREACH
     )
     motion, boxes = just_obeying(problem, optimum), 0
-    if not motion.sum() <= optimum.sum() * (1.0 + INFLATION[0]):
+    near = bool(motion.sum() <= optimum.sum() * (1.0 + INFLATION[0]))
+    if not near and watch.over:
+        motion, holding = (tried[0] if len(tried) else motion), ()
+    elif not near:
         limits = Limits(model, cuts)
         bound = least_total(problem, limits, tried, watch)
         lower, boxes = max(lower, bound.lower), bound.boxes
