@@ -23,7 +23,9 @@ def run(options: Namespace) -> int:
 def _lines(key: str, faults: Iterable[str], notes: Iterable[str]) -> Iterator[str]:
     said = [f"  fault: {_one_line(fault)}\n" for fault in faults]
     yield (
-        f"{key}: {len(said)} faults\n" if said else f"{key}: all that a paper must satisfy holds\n"
+        f"{key}: {len(said)} fault{'s' * (len(said) != 1)}\n"
+        if said
+        else f"{key}: all that a paper must satisfy holds\n"
     )
     yield from said
     if notes := tuple(notes):

@@ -83,7 +83,10 @@ def _compared(
         key, found = entry["key"], verdict_rows(entry)
         expected = expected_rows(lists[key])
         if expected is None:
-            notes.append(f"{key} has no list of expected verdicts")
+            notes.append(
+                f"{key} has no list of expected verdicts to compare with ({lists[key].name} beside "
+                "its module, which is optional)"
+            )
             continue
         total += max(len(found), len(expected))
         differing += [

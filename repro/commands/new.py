@@ -35,5 +35,5 @@ def run(options: Namespace) -> int:
         except OSError as error:
             message = f"{path} cannot be written: {error.strerror}"
             raise InputError(message) from None
-    sys.stdout.write(f"{paths[0]} and {paths[1]}: now `repro reproduce ./{paths[0]} --repeats 1`\n")
+    sys.stdout.write(f"{paths[0]} and {paths[1]}: now `repro reproduce ./{paths[0]} --repeats 2`\n")
     return 0

@@ -3,19 +3,24 @@
 import ast
 import contextlib
 import importlib
+import re
 import sys
 import traceback
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, is_dataclass
 from pathlib import Path
 from types import ModuleType
 
 from repro.errors import InputError
 from repro.model.faults import protocol_faults
+from repro.model.known_words import known_words
 from repro.model.paper import Paper
 
 PAPER = "PAPER"
 LARGEST = 20_000_000  # bytes of a module
+_UNKNOWN_ARGUMENT = re.compile(
+    r"(?P<kind>\S+?)\.__init__\(\) got an unexpected keyword argument '(?P<word>\w+)'"
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -92,9 +97,25 @@ def failure(error: BaseException, path: Path) -> str:
     ]
     file, line = lines[-1] if lines else (place, None)
     where = f"{file}, line {line}" if line else file
+    if unknown := _unknown_argument(error):
+        return f"{where}: {unknown}"
     kind = "" if _is_ours(error) else f"{type(error).__name__}: "
     said = str(error).splitlines() if _is_ours(error) else [str(error)]  # ours: a fault a line
     return "\n".join(f"{where}: {kind}{_plain(each)}" for each in said or [""])
+
+
+def _unknown_argument(error: BaseException) -> str:
+    """Return which arguments a dataclass has, where it was called with another; "" elsewhere."""
+    match = _UNKNOWN_ARGUMENT.match(str(error)) if isinstance(error, TypeError) else None
+    frames = list(traceback.walk_tb(error.__traceback__)) if match else []
+    if match is None or not frames:
+        return ""
+    values = frames[-1][0].f_globals.values()
+    for kind in (each for each in values if isinstance(each, type) and is_dataclass(each)):
+        if kind.__qualname__ == match["kind"]:
+            known = known_words(match["word"], (each.name for each in fields(kind) if each.init))
+            return f"{kind.__name__} has no argument {match['word']!r}; {known}"
+    return ""
 
 
 def _plain(text: str) -> str:

@@ -1,10 +1,13 @@
 """Benchmark functions with box, dimension, true minimum and minimiser."""
 
+import difflib
 import importlib
 import pkgutil
 from collections.abc import Mapping
 from types import MappingProxyType
+from typing import NoReturn
 
+from repro.errors import InputError
 from repro.functions.function import BenchmarkProblem, Function
 from repro.functions.known import Known
 from repro.functions.own import BoxProblem
@@ -19,17 +22,28 @@ _NUMBERED = (
 )  # fmt: skip
 
 
+class _ByName(dict[str, Function]):
+    def __missing__(self, name: str) -> NoReturn:
+        near = difflib.get_close_matches(str(name), self, n=1)
+        hint = f"did you mean {near[0]!r}? " if near else ""
+        message = f"no function {name!r}; {hint}there is {', '.join(self)}"
+        raise InputError(message)
+
+
 def _found() -> Mapping[str, Function]:
     modules = (
         importlib.import_module(f"{__name__}.{info.name}")
         for info in pkgutil.iter_modules(__path__)
     )
     values = (value for module in modules for value in vars(module).values())
-    return MappingProxyType({v.name: v for v in values if isinstance(v, Function)})
+    return MappingProxyType(_ByName({v.name: v for v in values if isinstance(v, Function)}))
 
 
 FUNCTIONS = _found()
-"""Every Function that a file of this folder defines, by name."""
+"""Every Function that a file of this folder defines, by name.
+
+Another name raises InputError with the nearest.
+"""
 
 
 def classical(dimension: int = 30) -> dict[str, BenchmarkProblem]:

@@ -10,6 +10,7 @@ from typing import Any, TypeVar
 
 from repro.errors import DeclarationError
 from repro.model.assumptions import Alternative, Assumption
+from repro.model.known_words import shown_value
 from repro.model.open_points import Erratum, Gap
 from repro.model.paper import Formula, Paper, Source
 
@@ -89,16 +90,11 @@ def prose(module: str) -> Prose:
     key = path.stem if path.stem != "__init__" else path.parent.name
     path = path.with_name(f"{key}.toml")
     place = path.name
-    try:
-        content = tomllib.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
-        message = f"{path} cannot be read: {error}"
-        raise DeclarationError(message) from None
-    if unknown := content.keys() - {*_LISTS, *_TEXTS}:
-        known = ", ".join((*_TEXTS, *_LISTS))
-        message = f"{place}: {', '.join(sorted(unknown))} means nothing here; known: {known}"
+    content = _content(path)
+    source = content.get("source", {})
+    if not isinstance(source, dict):
+        message = f"{place}, source is {shown_value(source)}: it stands once, as [source]"
         raise DeclarationError(message)
-    (source,) = _entries([content.get("source", {})], f"{place}, source")
     lists = {name: _entries(content.get(name, []), f"{place}, {name}") for name in _LISTS}
     return Prose(
         place=place,
@@ -117,11 +113,36 @@ def prose(module: str) -> Prose:
     )
 
 
+def _content(path: Path) -> Entry:
+    """Return what a TOML holds; DeclarationError where it cannot be read or means nothing here."""
+    place = path.name
+    try:
+        content: Entry = tomllib.loads(path.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        message = (
+            f"{path} is not there: the prose of a paper stands in a TOML of its module's name, "
+            "as `repro new` writes it"
+        )
+        raise DeclarationError(message) from None
+    except (OSError, ValueError) as error:
+        message = f"{path} cannot be read: {error}"
+        raise DeclarationError(message) from None
+    if unknown := content.keys() - {*_LISTS, *_TEXTS}:
+        known = ", ".join((*_TEXTS, *_LISTS))
+        message = f"{place}: {', '.join(sorted(unknown))} means nothing here; known: {known}"
+        raise DeclarationError(message)
+    return content
+
+
 def _entries(found: object, place: str) -> tuple[Entry, ...]:
     """Return the tables of a list; DeclarationError for what is none."""
     if not isinstance(found, list) or not all(isinstance(each, dict) for each in found):
         name = place.rpartition(" ")[2]
-        message = f"{place} is no table: write [{name}] for one, [[{name}]] for each of several"
+        heading = "assumption.or" if name == "or" else name
+        message = (
+            f"{place} is {shown_value(found)}: write [[{heading}]], in two pairs of brackets, "
+            "above each, if there is but one, too"
+        )
         raise DeclarationError(message)
     return tuple(found)
 

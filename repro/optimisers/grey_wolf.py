@@ -16,6 +16,8 @@ from repro.determinism.draws import fill
 from repro.optimisers.population import copy_into, uniform_population
 from repro.optimisers.search import Budget, Problem, Result, search
 
+_LEAST = 3  # wolves: alpha, beta and delta
+
 
 @jit
 def _gwo(cost, data, bounds, population, iterations, parameters, state):  # noqa: ARG001
@@ -70,4 +72,4 @@ class GWO:
 
     def minimise(self, problem: Problem, **budget: Unpack[Budget]) -> Result:
         """Return the best point found by N·T evaluations; see `Optimiser`."""
-        return search(_gwo, problem, **budget)
+        return search(_gwo, problem, least=_LEAST, **budget)

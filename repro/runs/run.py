@@ -1,8 +1,11 @@
 """One run and its record: the same bits wherever and whenever it is made."""
 
+import sysconfig
 import time
+import traceback
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -16,6 +19,8 @@ from repro.runs.rules import conduct, fault
 
 Vector = NDArray[np.float64]
 _SHOWN = 300  # characters of a message that a reason shows
+_ENGINE = str(Path(__file__).parents[1])
+_LIBRARIES = tuple(sysconfig.get_path(name) for name in ("stdlib", "purelib", "platlib"))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -95,9 +100,27 @@ def _budget(task: Task) -> dict[str, int]:
 
 
 def _told(error: BaseException) -> str:
-    """Return what was raised, in one line."""
+    """Return what was raised, in one line, and the line of the user's own code that did."""
     says = " ".join(str(error).split())
-    return f"{type(error).__name__}: {says if len(says) <= _SHOWN else f'{says[:_SHOWN]}…'}"
+    shown = says if len(says) <= _SHOWN else f"{says[:_SHOWN]}…"
+    return f"{type(error).__name__}: {shown}{_own_line(error)}"
+
+
+def _own_line(error: BaseException) -> str:
+    """Return the file and line, in brackets, that was reached last outside of all libraries.
+
+    Where everything is installed it is the first line that this engine called.
+    """
+    frames = [
+        frame
+        for frame in traceback.extract_tb(error.__traceback__)
+        if not frame.filename.startswith(_ENGINE) and Path(frame.filename).is_file()
+    ]
+    own = [frame for frame in frames if not frame.filename.startswith(_LIBRARIES)]
+    if not frames:
+        return ""
+    frame = own[-1] if own else frames[0]
+    return f" ({Path(frame.filename).name}, line {frame.lineno})"
 
 
 def failed(task: Task, reason: str, seconds: float) -> Record:

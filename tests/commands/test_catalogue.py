@@ -270,3 +270,11 @@ def test_a_paper_of_a_file_gives_the_same_bits_in_a_process() -> None:
 
     assert all(map(same, apart, map(execute, tasks)))
     assert len(set(Path("processes").read_text().split())) == 2
+
+
+def test_an_argument_that_a_search_lacks_is_told_with_those_it_has(listed: Listed) -> None:
+    write("one.py", "from repro.optimisers import WOA\n\nPAPER = WOA(c=3)\n")
+
+    said = refusal(listed("./one.py"))
+
+    assert "one.py, line 3: WOA has no argument 'c'; there is 'b'" in said

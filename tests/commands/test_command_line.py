@@ -124,7 +124,10 @@ def test_reproduce_runs_what_is_missing_and_writes_pages(run: Run) -> None:
     assert headings.split()[:3] == ["paper", "reproduced", "consistent"]
     assert verdicts.split()[0] == "small2020"
     assert verdicts.split()[-1] == "2"
-    assert compared == "small2020 has no list of expected verdicts"
+    assert compared == (
+        "small2020 has no list of expected verdicts to compare with (small2020.verdicts.csv beside "
+        "its module, which is optional)"
+    )
     assert "6/6 runs (100 %)" in first[2]
     assert again[2] == ""
     assert "6/6 runs (100 %)" in more[2]
@@ -173,7 +176,7 @@ def test_failed_runs_are_named_with_exit_code_1_and_others_are_kept(
     code, _, err = run("reproduce", "--repeats", "1")
 
     assert code == 1
-    assert "repro: run small2020/search/bowl/bad/1/2 failed: ValueError: lost the way\n" in err
+    assert "repro: run small2020/search/bowl/bad/1/2 failed: ValueError: lost the way (" in err
     assert "good" not in err
     (row,) = json.loads(run("list", "--repeats", "1", "--json")[1])
     assert (row["done"], row["missing"]) == (3, 3)

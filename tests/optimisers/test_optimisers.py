@@ -22,6 +22,7 @@ from repro.optimisers import (
     RandomSearch,
     Result,
     SlimeWOA,
+    SteadyStateGA,
 )
 from repro.optimisers.libraries import BASELINES
 from repro.optimisers.search import (
@@ -205,7 +206,8 @@ def test_each_detail_of_an_addition_changes_the_run(parent: HybridWOA, child: Hy
 @pytest.mark.parametrize(
     ("optimiser", "least"),
     [
-        *((o, 1) for o in (WOA(), GWO(), PSO(), SMA(), GSA())),
+        *((o, 1) for o in (WOA(), PSO(), SMA(), GSA(), SteadyStateGA(), RandomSearch())),
+        (GWO(), 3),
         *((o, 4) for o in (DE(), HybridWOA())),
         (DBO(), 20),
         (DBO(groups="proportional"), 5),

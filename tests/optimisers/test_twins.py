@@ -128,7 +128,7 @@ def test_dung_beetles_are_their_twin_at_any_population(population: int) -> None:
 
 @pytest.mark.parametrize(
     ("optimiser", "least"),
-    [(WOA(), 1), (GWO(), 1), (PSO(), 1), (SMA(), 1), (GSA(), 1), (DE(), 4), (HybridWOA(), 4)],
+    [(WOA(), 1), (GWO(), 3), (PSO(), 1), (SMA(), 1), (GSA(), 1), (DE(), 4), (HybridWOA(), 4)],
     ids=repr,
 )
 def test_compiled_search_is_its_twin_with_the_fewest_agents(

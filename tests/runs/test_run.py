@@ -1,4 +1,7 @@
+import importlib
 from dataclasses import replace
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -6,9 +9,20 @@ import pytest
 from repro.runs.plan import plan
 from repro.runs.run import Record, execute, execute_all, holds_interpreter
 from tests.held_searches import Telling
-from tests.small_papers import EXPERIMENT, PAPER, Bowl, Failing, Guessing, searching
+from tests.small_papers import EXPERIMENT, LOST, PAPER, Bowl, Failing, Guessing, searching
 
 TASKS = plan([replace(PAPER, experiments=(replace(EXPERIMENT, runs=50),))], 1)
+
+LOST_SEARCH = """import json
+
+
+def told(text):
+    return json.loads(text)
+
+
+def search(cost, bounds, budget, rng):
+    return told("no json")
+"""
 
 
 def same(first: Record, second: Record) -> bool:
@@ -41,7 +55,7 @@ def test_runs_differ_from_each_other() -> None:
 @pytest.mark.parametrize(
     ("cost", "reason"),
     [
-        (None, "ValueError: lost the way"),
+        (None, LOST),
         (float("nan"), "the best cost is nan at x = [0.0, 0.0]"),
         (float("inf"), "the best cost is inf"),
         (float("-inf"), "the best cost is -inf"),
@@ -71,3 +85,16 @@ def test_search_or_problem_says_that_it_holds_the_interpreter() -> None:
     assert holds_interpreter(telling)
     assert not holds_interpreter(guessing)
     assert holds_interpreter(replace(guessing, subject=Held()))
+
+
+def test_an_error_is_told_with_the_last_line_of_the_users_own_code(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "lost_search.py").write_text(LOST_SEARCH)
+    monkeypatch.syspath_prepend(tmp_path)
+    search: Any = importlib.import_module("lost_search").search
+
+    record = execute(plan([searching(bad=search)], 1)[0])
+
+    assert (record.reason or "").startswith("JSONDecodeError: Expecting value")
+    assert (record.reason or "").endswith(" (lost_search.py, line 5)")

@@ -17,7 +17,7 @@ from repro.runs.run import Record
 from repro.runs.session import run_missing
 from repro.runs.store.store import Store
 from repro.runs.studies import Study
-from tests.small_papers import CLAIMS, EXPERIMENT, PAPER, Failing, Guessing, searching
+from tests.small_papers import CLAIMS, EXPERIMENT, LOST, PAPER, Failing, Guessing, searching
 from tests.small_stores import content
 
 CELLS = {("search", "bowl", "guess"), ("search", "bowl", "wide")}
@@ -103,7 +103,7 @@ def test_failed_runs_are_returned_and_tried_again(tmp_path: Path) -> None:
 
     for _ in range(2):
         failed = run(tmp_path, tasks)
-        assert {record.reason for record in failed} == {"ValueError: lost the way"}
+        assert {record.reason for record in failed} == {LOST}
         assert sorted(record.task.name[-5:] for record in failed) == ["d/1/1", "d/1/2", "d/1/3"]
 
 

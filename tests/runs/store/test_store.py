@@ -22,7 +22,7 @@ from repro.runs.plan import plan
 from repro.runs.run import execute
 from repro.runs.store.file import APPLICATION, SCHEMA
 from repro.runs.store.store import Store, finished_keys
-from tests.small_papers import Failing, searching
+from tests.small_papers import LOST, Failing, searching
 from tests.small_stores import ENVIRONMENT, RECORDS, TASKS, change, content, filled, stored
 
 
@@ -105,7 +105,7 @@ def test_failed_run_is_kept_with_its_reason_and_tried_again(tmp_path: Path) -> N
         store.begin(ENVIRONMENT)
         store.add([failed])
         (found,) = store.records(tasks)
-        assert (found.reason, math.isnan(found.cost)) == ("ValueError: lost the way", True)
+        assert (found.reason, math.isnan(found.cost)) == (LOST, True)
         assert store.missing(tasks) == list(tasks)
         store.add([replace(RECORDS[0], task=tasks[0])])
         (found,) = store.records(tasks)

@@ -18,7 +18,7 @@ from repro.runs.run import Record, execute
 from repro.runs.workers.process import StoppedError, WorkerProcess
 from tests.held_searches import Telling, deadly, tasks_of
 from tests.runs.test_run import same
-from tests.small_papers import Failing, Guessing
+from tests.small_papers import LOST, Failing, Guessing
 
 ROOT = Path(__file__).parents[3]
 
@@ -55,7 +55,7 @@ def test_one_process_makes_many_runs(worker: WorkerProcess) -> None:
 def test_fault_of_a_run_is_its_outcome(worker: WorkerProcess) -> None:
     record = worker.execute(tasks_of(bad=Failing())[0])
 
-    assert record.reason == "ValueError: lost the way"
+    assert record.reason == LOST
 
 
 def test_task_that_cannot_travel_runs_here(worker: WorkerProcess) -> None:
