@@ -23,7 +23,7 @@ def tables_in(text: str, form: Form | None = None) -> list[Grid]:
     InputError where there are more cells than any printed table has.
     """
     if cells := _too_many(text):
-        message = f"it holds {cells} cells; at most {MOST_CELLS} are read"
+        message = f"it holds {cells} cells or lines; at most {MOST_CELLS} are read"
         raise InputError(message)
     whole = [with_points(grid) for grid in _READERS[form or form_of(text)](text)]
     cells = sum(len(grid.lines) * len(grid.lines[0]) for grid in whole if grid.lines)
@@ -38,9 +38,9 @@ def tables_in(text: str, form: Form | None = None) -> list[Grid]:
 
 
 def _too_many(text: str) -> int:
-    """Return how many cells of HTML a text has, where they are too many to be parsed at all."""
+    """Return how many cells or lines a text has, where they are too many to be parsed at all."""
     lowered = text.lower()
-    cells = lowered.count("<td") + lowered.count("<th")
+    cells = max(lowered.count("<td") + lowered.count("<th"), text.count("\n"))
     return cells if cells > MOST_CELLS else 0
 
 
