@@ -9,6 +9,7 @@ _OF_TITLES = re.compile(
     re.IGNORECASE,
 )
 MOST_CELLS = 500_000  # of one file
+MOST_COLUMNS = 5_000
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -287,7 +287,7 @@ def _with_owners(heads: list[tuple[str, ...]], first: int) -> list[tuple[str, ..
     As in: F, GWO, rank, PSO, rank.
     """
     values = range(first, len(heads))
-    alone = [j for j in values if len(heads[j]) == 1 and is_statistic(heads[j][0])]
+    alone = {j for j in values if len(heads[j]) == 1 and is_statistic(heads[j][0])}
     left = [heads[j - 1] for j in alone if j > first and j - 1 not in alone]
     if not len({heads[j] for j in alone}) < len(alone) == len(left) == len(set(left)):
         return heads

@@ -114,6 +114,7 @@ _WORDS = {
     "nano": "n",
     "equiv": "≈",
 }
+_LONGEST = 5_000  # characters of a caption; what is longer is cut
 _BARE = re.compile(r"[-+]?[A-Za-z0-9.]+(?:[eE][-+][0-9]+)?")
 _WORD = re.compile(r"\\([a-zA-Z]+) *")
 _ESCAPED = re.compile(r"\\([%$&#_{}])")
@@ -126,6 +127,7 @@ def plain(text: str) -> str:
     """Return the text without markup; what is no known markup stays as it is."""
     if _BARE.fullmatch(text):  # most cells have none
         return text
+    text = text[:_LONGEST]
     if "<" in text or "&" in text:
         text = _TAG.sub(" ", _RAISED_TAG.sub(r"^\1", html.unescape(text)))
     if "\\" in text or "$" in text or "{" in text:

@@ -9,7 +9,7 @@ from repro.tables.markup import plain
 from repro.tables.units import known_unit
 
 _LONGEST = 60  # characters of a printed number
-_LONGEST_MARKED_UP = 240  # and with its markup
+LONGEST_MARKED_UP = 240  # and with its markup
 
 _DIGITS = (
     r"[-+]?\s?(?:[1-9][0-9]{0,2}(?:(?:,[0-9]{3})+|(?: [0-9]{3})+)(?:\.[0-9]*)?"
@@ -93,7 +93,7 @@ def number_form(text: str) -> NumberForm | NoNumber:
     One unit and one mark of significance may follow; markup is no part of it. A group of three
     digits after a comma, or after a space narrower than usual, belongs to the number before it.
     """
-    if len(text) > _LONGEST_MARKED_UP:
+    if len(text) > LONGEST_MARKED_UP:
         return NoNumber("it is too long", known=False)
     if _SPACED.search(text):
         return NoNumber("two numbers stand in one cell", known=False)
@@ -114,7 +114,7 @@ def split_pair(text: str) -> tuple[str, str, str] | None:
 
     A mark behind them is given to the first.
     """
-    if len(text) > _LONGEST_MARKED_UP:
+    if len(text) > LONGEST_MARKED_UP:
         return None
     simple = plain(text)
     if whole := _BRACKETED.fullmatch(simple):  # (a ± b) × 10^k

@@ -75,7 +75,9 @@ def _unlike_quartiles(name: str, block: Block) -> str:
 def _wider_than_spread(name: str, block: Block) -> str:
     variances, width = printed_variances(block), block.own_span(name).low
     k = runs_around("q1", block.n)[0]
-    if variances is None or block.n < 2 or width <= 0 or not k:
+    # of runs of unknown size, rounding may lose a spread that their range shows
+    sized = "mean" in block.cells or {"best", "worst"} <= block.cells.keys()
+    if variances is None or block.n < 2 or width <= 0 or not k or not sized:
         return ""
     squares = width**2 * Fraction(k, 2)  # least where the mean lies in the middle
     if variances.high * block.n >= least_squares(block, squares):

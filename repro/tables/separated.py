@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from repro.tables.grids import Grid, grid
 from repro.tables.markup import plain
-from repro.tables.numbers import NumberForm, number_form, split_pair
+from repro.tables.numbers import LONGEST_MARKED_UP, NumberForm, number_form, split_pair
 
 _RULE = re.compile(r"[\s|:+=_─━═┼│—-]*")
 _COMMA = re.compile(r"(?<![\d.,])(?:\d{1,3}(?:\.\d{3})+|\d+),\d+(?![\d.,])")
@@ -45,7 +45,7 @@ def _evenness(rows: Sequence[Sequence[str]]) -> tuple[float, int]:
 
 def with_points(whole: Grid) -> Grid:
     """Return the grid with decimal points, where its numbers have decimal commas."""
-    texts = [text for line in whole.lines for text in line]
+    texts = [text for line in whole.lines for text in line if len(text) <= LONGEST_MARKED_UP]
     commas = [text for text in texts if _COMMA.search(text) and _is_numeric(_pointed(text))]
     marks = [mark for text in commas for mark in _COMMA.findall(text)]
     if not marks or all(_GROUPED.fullmatch(mark) for mark in marks):

@@ -266,3 +266,28 @@ def test_a_short_line_of_headings_is_no_title() -> None:
     (table,) = audit_text(text, AuditOptions(runs=30), form="separated")
 
     assert [row.check for row in table.proofs] == ["mean-bound"]
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        (",".join(["1.5"] * 6000) + "\n" + ",".join(["1.5"] * 6000), "6000 columns; at most 5000"),
+        ("<table><tr>" + "<td>1.5" * 500_001, "500001 cells or lines; at most"),
+        ('F,Best\nF1,"' + "1,2\n" * 500_001, "500002 cells or lines; at most"),
+    ],
+)
+def test_what_no_printed_table_holds_is_refused_before_it_is_read(text: str, says: str) -> None:
+    with pytest.raises(InputError, match=says):
+        audit_text(text, AuditOptions())
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "a" * 3_000_000,
+        "1" * 3_000_000,
+        f"| a | {'*' * 100_000} |\n|---|---|\n| b | {'*_' * 9**5} |",
+    ],
+)
+def test_a_text_without_end_takes_no_time_that_grows_with_its_square(text: str) -> None:
+    assert audit_text(text, AuditOptions()) == []
