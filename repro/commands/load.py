@@ -8,11 +8,13 @@ from pathlib import Path
 from typing import Any, Protocol
 
 import pandas as pd
+from matplotlib.figure import Figure
 
 from repro.commands.catalogue import found_papers
 from repro.commands.plots import Plots
 from repro.commands.stored_results import Stored
 from repro.errors import InputError
+from repro.report.drawings.style import Plot
 from repro.report.frames import (
     audit_frame,
     certificates_frame,
@@ -48,6 +50,9 @@ class Place(Protocol):
 
     def algorithms(self, key: str, experiment: str, study: str) -> list[str]:
         """Return the algorithms of an experiment whose curves there are."""
+
+    def figure(self, key: str, label: str) -> Plot:
+        """Return a declared figure of a paper, drawn."""
 
     def curves(self, key: str, cell: tuple[str, str, str], study: str) -> pd.DataFrame:
         """Return the best cost of every run after each iteration."""
@@ -113,6 +118,12 @@ class Results:
         self._checked(key)
         return self.source.algorithms(key, experiment, study)
 
+    def figure(self, key: str, label: str) -> Figure:
+        """Return a figure of a paper's page, of a store only; `axes` of it are its panels."""
+        self._checked(key)
+        figure: Figure = self.source.figure(key, label).canvas
+        return figure
+
     @property
     def plot(self) -> Plots:
         """The figures of the pages, as axes of matplotlib."""
@@ -171,6 +182,10 @@ class Reports:
     def curves(self, key: str, cell: tuple[str, str, str], study: str) -> pd.DataFrame:
         """Raise InputError: pages hold no curves."""
         raise self._without_curves(key, "/".join(cell), study)
+
+    def figure(self, key: str, label: str) -> Plot:
+        """Raise InputError: pages hold no curves."""
+        raise self._without_curves(key, label, PROTOCOL)
 
     def _without_curves(self, key: str, what: str, study: str) -> InputError:
         return InputError(

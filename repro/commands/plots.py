@@ -36,6 +36,9 @@ class Shows(Protocol):
     def algorithms(self, key: str, experiment: str, *, study: str = PROTOCOL) -> list[str]:
         """Return the algorithms of an experiment whose curves there are."""
 
+    def figure(self, key: str, label: str) -> Figure:
+        """Return a figure of a paper's page."""
+
     def curves(
         self, key: str, experiment: str, problem: str, algorithm: str, *, study: str = PROTOCOL
     ) -> pd.DataFrame:
@@ -84,6 +87,10 @@ class Plots:
             axes.set(xlabel="iteration", ylabel="best cost", title=problem)
             axes.legend(axes.lines[-len(names) :], names, frameon=False)
         return axes
+
+    def figure(self, key: str, label: str) -> list[Axes]:
+        """Draw a figure that the paper's page draws, Fig. 2 say, of a store only."""
+        return list(self.results.figure(key, label).axes)
 
     def ranks(self, key: str, experiment: str) -> Axes:
         """Draw average ranks, with bars over those that Nemenyi's test does not tell apart."""

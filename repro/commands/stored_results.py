@@ -14,8 +14,11 @@ from repro.commands.written_pages import judged
 from repro.errors import InputError
 from repro.model.experiment import Experiment
 from repro.model.paper import Paper
+from repro.report.drawings.draw import plot_of
+from repro.report.drawings.style import Plot, drawing_style
 from repro.report.frames import PUBLISHED, RUNS, runs_frame
 from repro.report.results import Json, paper_result
+from repro.runs.gather import gather
 from repro.runs.plan import Task, plan
 from repro.runs.raw_runs import (
     RawRun,
@@ -62,6 +65,18 @@ class Stored:
             parts = list(_parts(store, every_task(paper, repeats), besides))
         whole = pd.concat(parts, ignore_index=True) if parts else _none()
         return runs_frame(key, whole, drawn_as(paper, besides))
+
+    def figure(self, key: str, label: str) -> Plot:
+        """Return a figure of a paper's page, of the protocol's runs; InputError for none."""
+        paper = self._paper(key)
+        labels = {figure.label: figure for figure in paper.figures}
+        if label not in labels:
+            message = f"no figure {label!r} of {key}; there are: {', '.join(labels) or 'none'}"
+            raise InputError(message)
+        with self._opened() as (store, repeats):
+            evidence = gather(store, paper, plan([paper], repeats, protocol_only=True))
+        with drawing_style():
+            return plot_of(labels[label], evidence, paper.assumptions)
 
     def curves(self, key: str, cell: tuple[str, str, str], study: str) -> pd.DataFrame:
         """Return the curves of one cell; InputError where it has no run."""

@@ -1,4 +1,7 @@
 from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
 
 import matplotlib as mpl
 import numpy as np
@@ -9,6 +12,7 @@ import repro
 from repro.commands.load import Results
 from repro.commands.plots import Plots
 from repro.errors import InputError
+from repro.model.figures import Convergence
 from repro.report.frames import frame_of_tests
 from tests.small_papers import PAPER, let_be_known
 from tests.small_stores import filled
@@ -51,13 +55,11 @@ def test_every_curve_has_its_own_name_in_the_legend(results: Results) -> None:
     _, axes = plt.subplots()
 
     assert results.plot.convergence("small2020", "search", "bowl", ax=axes) is axes
-    legend = axes.get_legend()
-    assert legend
+    legend: Any = axes.get_legend()
     shown = [text.get_text() for text in legend.get_texts()]
     assert shown == ["guess", "wide"]
-    assert [line.get_color() for line in legend.get_lines()] == [
-        line.get_color() for line in axes.lines
-    ]
+    colours = [entry.get_color() for entry in legend.legend_handles]
+    assert colours == [line.get_color() for line in axes.lines]
     medians = results.curves("small2020", "search", "bowl", "guess").median().to_numpy()
     assert np.log10(medians) == pytest.approx(axes.lines[0].get_ydata()) or medians == (
         pytest.approx(axes.lines[0].get_ydata())
@@ -84,3 +86,16 @@ def test_what_is_not_there_is_named_with_what_there_is(results: Results) -> None
 def test_a_study_is_drawn_apart(results: Results) -> None:
     with pytest.raises(InputError, match="no study 'baselines'; there are: protocol"):
         results.plot.runs("small2020", "search", "bowl", study="baselines")
+
+
+def test_a_figure_of_the_page_is_had_as_axes(tmp_path: Path) -> None:
+    figure = Convergence(label="Fig. 1", caption="c", experiment="search")
+    with pytest.MonkeyPatch.context() as patch:
+        let_be_known(patch, replace(PAPER, figures=(figure,)))
+        results = repro.load(filled(tmp_path))
+
+    (axes,) = results.plot.figure("small2020", "Fig. 1")
+    assert axes.get_title() == "bowl"
+    assert len(axes.lines) == 2
+    with pytest.raises(InputError, match=r"no figure 'Fig\. 2' of small2020; there are: Fig\. 1"):
+        results.plot.figure("small2020", "Fig. 2")

@@ -51,7 +51,9 @@ def draw(
     The same arguments give the same bytes.
     """
     title = f"{figure.label}: {figure.caption}"
-    return drawing(lambda: _plot(figure, evidence, assumptions), title=title, identifier=identifier)
+    return drawing(
+        lambda: plot_of(figure, evidence, assumptions), title=title, identifier=identifier
+    )
 
 
 def drawing(plotted: Callable[[], Plot], *, title: str, identifier: str) -> Drawing:
@@ -66,7 +68,8 @@ def drawing(plotted: Callable[[], Plot], *, title: str, identifier: str) -> Draw
     )
 
 
-def _plot(figure: Figure, evidence: Evidence, assumptions: Sequence[Assumption]) -> Plot:
+def plot_of(figure: Figure, evidence: Evidence, assumptions: Sequence[Assumption]) -> Plot:
+    """Return a declared figure as it is drawn; where no run is there yet, it says so."""
     if isinstance(figure, Arm):
         return arm_plot(figure, assumptions)
     if isinstance(figure, Convergence):
