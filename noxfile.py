@@ -160,7 +160,9 @@ def adapters(session: nox.Session) -> None:
     """Compare a search of each library for which the manual has an adapter."""
     _install(session, "test")
     session.install("-r", "requirements/adapters.in")
-    session.install("--no-deps", "mealpy==3.0.2")  # it asks for an older NumPy, and runs with ours
+    session.install(
+        "--no-deps", "mealpy==3.0.3", "opfunu==1.0.4"
+    )  # it asks for an older NumPy, and runs with ours
     session.run("pytest", "-m", "adapters", *session.posargs, env=TESTING)
 
 

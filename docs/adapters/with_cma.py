@@ -4,7 +4,7 @@ import cma
 
 
 def evolve(bounds, budget, rng):
-    """CMA-ES in the box, started at a random point; seed 0 would be the clock's."""
+    """Make CMA-ES in the box, started at a random point; seed 0 would be the clock's."""
     low, high = bounds.T
     return cma.CMAEvolutionStrategy(
         rng.uniform(low, high),

@@ -5,7 +5,7 @@ from mealpy.swarm_based.WOA import OriginalWOA
 
 
 def whale(cost, bounds, budget, rng):
-    """The original whale optimiser of mealpy."""
+    """Run the original whale optimiser of mealpy."""
     search = OriginalWOA(epoch=max(1, budget // 20), pop_size=20)
     problem = {
         "obj_func": cost,

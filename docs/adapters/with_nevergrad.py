@@ -5,7 +5,7 @@ import numpy as np
 
 
 def one_plus_one(cost, bounds, budget, rng):
-    """The (1+1) evolution strategy of nevergrad."""
+    """Run the (1+1) evolution strategy of nevergrad."""
     low, high = bounds.T
     space = ng.p.Array(init=rng.uniform(low, high)).set_bounds(low, high)
     space.random_state = np.random.RandomState(int(rng.integers(2**31)))

@@ -6,7 +6,7 @@ from niapy.task import Task
 
 
 def wolves(cost, bounds, budget, rng):
-    """The grey wolf optimiser of NiaPy."""
+    """Run the grey wolf optimiser of NiaPy."""
 
     class Boxed(Problem):
         def _evaluate(self, x):

@@ -6,7 +6,7 @@ optuna.logging.set_verbosity(optuna.logging.ERROR)
 
 
 def parzen(cost, bounds, budget, rng):
-    """The tree-structured Parzen estimator of optuna."""
+    """Run the tree-structured Parzen estimator of optuna."""
     sampler = optuna.samplers.TPESampler(seed=int(rng.integers(2**31)))
     study = optuna.create_study(sampler=sampler)
 

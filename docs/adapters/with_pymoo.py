@@ -6,7 +6,7 @@ from pymoo.optimize import minimize
 
 
 def evolve(cost, bounds, budget, rng):
-    """Differential evolution of pymoo."""
+    """Run differential evolution of pymoo."""
 
     class Boxed(Problem):
         def _evaluate(self, x, out, *_, **__):

@@ -122,10 +122,12 @@ def _bar() -> Callable[[int, int], None]:
     ipython = sys.modules.get("IPython")
     if ipython is None or getattr(ipython.get_ipython(), "kernel", None) is None:
         return Progress()
-    from IPython.display import HTML, display  # noqa: PLC0415 (loaded there already)
+    from IPython import display as shows  # noqa: PLC0415 (loaded there already)
 
-    shown = display(_drawn(HTML, 0, 1), display_id=True)
-    return lambda done, total: shown.update(_drawn(HTML, done, total))
+    display: Any = shows.display
+    made: Any = shows.HTML
+    shown = display(_drawn(made, 0, 1), display_id=True)
+    return lambda done, total: shown.update(_drawn(made, done, total))
 
 
 def _drawn(made: Callable[[str], Any], done: int, total: int) -> Any:  # noqa: ANN401

