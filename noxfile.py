@@ -106,7 +106,7 @@ def again(session: nox.Session) -> None:
 def tests(session: nox.Session) -> None:
     """Run the tests, a full-size re-run of the papers' protocols among them."""
     _install(session, "test")
-    kinds = ("-m", "not browser and not cluster")
+    kinds = ("-m", "not browser and not cluster and not adapters")
     session.run("pytest", *kinds, *SPREAD, *session.posargs, env=TESTING)
 
 
@@ -165,6 +165,17 @@ def cluster(session: nox.Session) -> None:
     session.run(
         "pytest", "tests/runs/workers/test_real_cluster.py", *session.posargs, env=environment
     )
+
+
+@nox.session
+def adapters(session: nox.Session) -> None:
+    """Compare a search of each library for which the manual has an adapter."""
+    _install(session, "test")
+    session.install("-r", "requirements/adapters.in")
+    session.install(
+        "--no-deps", "mealpy==3.0.3", "opfunu==1.0.4"
+    )  # it asks for an older NumPy, and runs with ours
+    session.run("pytest", "-m", "adapters", *session.posargs, env=TESTING)
 
 
 @nox.session

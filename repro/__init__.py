@@ -6,6 +6,7 @@ from typing import Any
 _LATE = {
     "audit_table": "repro.commands.audit_table",
     "certify": "repro.commands.certify_problem",
+    "compare": "repro.commands.compare_call",
     "load": "repro.commands.load",
 }
 

@@ -42,7 +42,7 @@ def run(options: Namespace) -> int:
         found = compared(
             asked, papers, options, report, ready=partial(usable_folder, options.reports)
         )
-        page = _written(options.reports, found)
+        page = written(options.reports, found)
     for record in found.failed:
         warn(f"run {record.task.name} failed: {record.reason}")
     for warned in found.warnings:
@@ -53,7 +53,7 @@ def run(options: Namespace) -> int:
     return SOME_RUN_FAILED if found.failed else 0
 
 
-def _written(folder: Path, found: Comparison) -> Path:
+def written(folder: Path, found: Comparison) -> Path:
     """Write the report in every form, and return the page's path."""
     called = stem(folder, list(found.asked.searches))
     for suffix, text in compared_files(found, called).items():

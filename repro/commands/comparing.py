@@ -125,7 +125,7 @@ def _noted(asked: Asked, own: Mapping[str, Paper]) -> list[Compared]:
         )
         for key in own
         for name, search in asked.searches.items()
-        if hasattr(search, "place")
+        if getattr(search, "place", "")
     ]  # fmt: skip
 
 

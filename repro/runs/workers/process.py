@@ -169,7 +169,7 @@ def _answer(payload: bytes, begun: set[object], alive: Callable[[], None]) -> by
         prepare(task)
     alive()
     record = execute(task)
-    search = getattr(task.optimiser, "place", None)
+    search = getattr(task.optimiser, "source", None)
     if search is not None and search not in begun and record.reason is None:
         alive()
         begun.add(search)
