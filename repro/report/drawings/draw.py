@@ -24,7 +24,8 @@ class Drawing:
 
     `svg` is one inline element in the page's own text colour; `title` is label and caption;
     `description` says in words what is drawn, with its main numbers; `rows` are the data under
-    one row of headings; `scene`, where there is one, is what an interactive view of it draws.
+    one row of headings; `scene`, where there is one, is what an interactive view of it draws;
+    `notes` are what is to be known of it.
     """
 
     svg: str
@@ -32,6 +33,7 @@ class Drawing:
     description: str
     rows: Rows
     scene: Scene | None = None
+    notes: tuple[str, ...] = ()
 
 
 def draw(
