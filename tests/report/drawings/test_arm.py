@@ -98,7 +98,7 @@ def test_the_data_are_the_origins_of_the_frames_over_time() -> None:
 
 def test_the_still_numbers_the_waypoints_and_tells_its_scale() -> None:
     texts = [e.text for e in ET.fromstring(drawn().svg).iter(f"{SVG}text")]  # noqa: S314 (ours)
-    assert {"1", "2", "3", "x 1 m", "y 1 m", "z 1 m", "squares: 0.5 m"} <= set(texts)
+    assert {"1", "2", "3", "x 0.5 m", "y 0.5 m", "z 0.5 m", "squares: 0.5 m"} <= set(texts)
     assert {"arm at start", "between", "arm at goal", "path of the tool"} <= set(texts)
 
 
