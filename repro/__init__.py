@@ -9,5 +9,9 @@ def __getattr__(name: str) -> Any:  # noqa: ANN401 (whatever the name stands for
         from repro.commands.audit_table import audit_table  # noqa: PLC0415
 
         return audit_table
+    if name == "certify":
+        from repro.commands.certify_problem import certify  # noqa: PLC0415
+
+        return certify
     message = f"module {__name__!r} has no attribute {name!r}"
     raise AttributeError(message)

@@ -6,7 +6,8 @@ from repro.model.claims import CellClaim, Claim
 from repro.model.measures.measure import Statistic
 from repro.model.paper import Paper
 from repro.robotics import MinimumTime, MinimumTimeSpline
-from repro.robotics.proofs.least_time import LeastTime, least_time
+from repro.robotics.proofs.least_time import least_time
+from repro.robotics.proofs.proved import LeastTime
 from repro.tables.published import UNITS
 from repro.tables.relations import Number, TextNumber
 from repro.tables.rows import AuditRow, Grade, audit_row

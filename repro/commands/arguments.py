@@ -26,6 +26,7 @@ _TEXTS = {
     "again": "run one printed number again",
     "audit": "what the printed tables say about themselves",
     "certify": "proved minima of the motion problems",
+    "motion": "the proved minimum of a motion of one's own",
     "references": "what other planners say of them",
     "verify": "re-run a random sample of the stored runs and compare",
     "flips": "compare the verdicts of two results.json, of two master seeds say",
@@ -60,9 +61,26 @@ def parser() -> argparse.ArgumentParser:
     _add_runs(parsers)
     _add_places(parsers)
     add_audit_options(parsers["audit"])
-    for name in ("list", "audit", "certify", "references", "verify", "flips"):
+    _add_motion(parsers["motion"])
+    for name in ("list", "audit", "certify", "motion", "references", "verify", "flips"):
         parsers[name].add_argument("--json", action="store_true", help="print JSON")
     return whole
+
+
+def _add_motion(motion: argparse.ArgumentParser) -> None:
+    """Add the files of motions, and what becomes of them."""
+    motion.add_argument("files", nargs="+", metavar="FILE.toml", help="a motion and its limits")
+    motion.add_argument(
+        "--seconds",
+        type=float,
+        default=60.0,
+        metavar="S",
+        help="how long a proof may take; one that is cut short has bounds (default: 60)",
+    )
+    motion.add_argument(
+        "--csv", type=Path, metavar="FILE", help="write the motion, in rad, m and s"
+    )
+    motion.add_argument("--html", type=Path, metavar="FILE", help="write a page with drawings")
 
 
 def _add_names(parsers: Mapping[str, argparse.ArgumentParser]) -> None:

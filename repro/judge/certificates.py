@@ -6,7 +6,8 @@ from repro.model.claims import CellClaim, Claim
 from repro.model.measures.measure import Statistic
 from repro.model.paper import Paper
 from repro.robotics import MinimumTime, MinimumTimeSpline, PathFitting
-from repro.robotics.proofs.least_time import LeastTime, least_norms, least_time
+from repro.robotics.proofs.least_time import least_norms, least_time
+from repro.robotics.proofs.proved import LeastTime
 from repro.tables.published import UNITS
 
 
@@ -32,6 +33,8 @@ class Certificate:
     at: tuple[float, ...]
     binding: tuple[str, ...]
     printed: tuple[PrintedTime, ...]
+    gap: float | None = None
+    box: tuple[float, float] | None = None
     explanation: str = ""
 
 
@@ -68,6 +71,7 @@ def _certificate(
         paper=paper.key,
         problem=label,
         printed=_printed(paper, of, least.minimum) if of and least.minimum else (),
+        gap=least.gap,
         **asdict(least),
     )
 

@@ -3,19 +3,30 @@
 ruckig (L. Berscheid, T. Kröger, Robotics: Science and Systems 2021) plans each segment from rest
 to rest with any curve; toppra (H. Pham, Q.-C. Pham, IEEE Transactions on Robotics 34(3) (2018),
 doi:10.1109/TRO.2018.2819195) runs through the waypoints along a fixed spline without stopping, and
-its time depends on its grid. Both come with the extra `references`.
+its time depends on its grid. Both come with the extra `references`. What they answer is looked at
+before it is shown: their own words for failure, and every limit along the whole motion.
 """
 
 import warnings
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
+from repro.errors import ReproError
 from repro.model.paper import Paper
 from repro.robotics import MinimumTime
+from repro.robotics.along_path import slowing
 
+Vector = NDArray[np.float64]
 GRID = 1000  # points of toppra's grid; with few points it can exceed a velocity limit
+ROUNDING = 1e-6  # share of a limit that a planner's own arithmetic may lose
+
+
+class NoAnswerError(ReproError):
+    """A planner gave no motion, or one that breaks a limit."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -33,13 +44,18 @@ class OutsideReference:
 def outside_references(papers: Iterable[Paper]) -> tuple[OutsideReference, ...]:
     """Return what each planner says of each problem whose segments rest at both ends."""
     return tuple(
-        _asked(paper.key, f"{experiment.name}/{name}", problem, planner)
+        reference
         for paper in papers
         for experiment in paper.experiments
         for name, problem in experiment.problems.items()
         if isinstance(problem, MinimumTime)
-        for planner in (ruckig_time, toppra_time)
+        for reference in references_of(problem, paper=paper.key, name=f"{experiment.name}/{name}")
     )
+
+
+def references_of(problem: MinimumTime, *, paper: str, name: str) -> tuple[OutsideReference, ...]:
+    """Return what each planner says of one problem."""
+    return tuple(_asked(paper, name, problem, planner) for planner in (ruckig_time, toppra_time))
 
 
 def _asked(
@@ -50,6 +66,8 @@ def _asked(
         time = planner(problem)
     except ImportError as error:
         skipped = f"{error.name} is not installed: pip install 'repro-whales[references]'"
+    except NoAnswerError as error:
+        skipped = str(error)
     return OutsideReference(
         paper=paper,
         problem=name,
@@ -64,29 +82,61 @@ def ruckig_time(problem: MinimumTime) -> float:
     """Time from rest to rest at every waypoint along any curve, in s.
 
     The least that the limits allow, so a lower bound on the same motion along any fixed curve.
+    Raises NoAnswerError where ruckig has none, or one that breaks a limit.
     """
-    from ruckig import InputParameter, Ruckig, Trajectory  # noqa: PLC0415 (an extra)
+    return float(sum(_ruckig_segment(problem, k) for k in range(problem.segments)))
+
+
+def _ruckig_segment(problem: MinimumTime, segment: int) -> float:
+    from ruckig import InputParameter, Result, Ruckig, Trajectory  # noqa: PLC0415 (an extra)
 
     joints = len(problem.velocity)
-    velocity, acceleration, jerk = problem.limits.tolist()
-    total = 0.0
-    for k in range(problem.segments):
-        wanted = InputParameter(joints)
-        wanted.current_position = list(problem.waypoints[k])
-        wanted.target_position = list(problem.waypoints[k + 1])
-        wanted.max_velocity = velocity
-        wanted.max_acceleration = acceleration
-        wanted.max_jerk = jerk
-        found = Trajectory(joints)
-        Ruckig(joints).calculate(wanted, found)
-        total += float(found.duration)
-    return total
+    wanted = InputParameter(joints)
+    wanted.current_position = list(problem.waypoints[segment])
+    wanted.target_position = list(problem.waypoints[segment + 1])
+    wanted.max_velocity, wanted.max_acceleration, wanted.max_jerk = problem.limits.tolist()
+    found = Trajectory(joints)
+    place = f"ruckig has no motion for segment {segment + 1}"
+    try:
+        result = Ruckig(joints).calculate(wanted, found)
+    except (ValueError, RuntimeError) as error:
+        message = f"{place}: {' '.join(str(error).split())}"
+        raise NoAnswerError(message) from None
+    if result not in (Result.Working, Result.Finished):
+        message = f"{place}: {result!s}"
+        raise NoAnswerError(message)
+    for joint, profile in enumerate(found.profiles[0]):
+        _check_profile(problem, segment, joint, profile)
+    return float(found.duration)
+
+
+def _check_profile(problem: MinimumTime, segment: int, joint: int, profile: Any) -> None:  # noqa: ANN401
+    """Raise NoAnswerError unless phases of constant jerk obey and lead to the waypoint."""
+    jerk, a, v = (np.array(getattr(profile, name)) for name in "jav")
+    phases = np.array(profile.t)
+    # the velocity turns where the acceleration passes 0 inside a phase
+    turns = np.where(a[:-1] * a[1:] < 0.0, v[:-1] - a[:-1] ** 2 / (2.0 * jerk + (jerk == 0.0)), 0.0)
+    speeds = np.concatenate([v, turns])
+    reached = [np.abs(speeds).max(), np.abs(a).max(), np.abs(jerk[phases > 0.0]).max(initial=0.0)]
+    start, end = problem.waypoints[segment][joint], problem.waypoints[segment + 1][joint]
+    off = abs(profile.p[-1] - end)
+    if (
+        off > ROUNDING * abs(end - start)
+        or (reached > problem.limits[:, joint] * (1.0 + ROUNDING)).any()
+    ):
+        message = (
+            f"ruckig's motion of joint {joint + 1} in segment {segment + 1} is none: it reaches "
+            f"{reached} in velocity, acceleration and jerk and ends {off:.3g} away"
+        )
+        raise NoAnswerError(message)
 
 
 def toppra_time(problem: MinimumTime) -> float:
     """Time along the cubic spline through the waypoints without stopping, jerk free, in s.
 
-    It may be less or more than the minimum with rests: it follows another curve.
+    It may be less or more than the minimum with rests: it follows another curve. Where toppra's
+    motion breaks a limit between two points of its grid, the time is that of the motion slowed as
+    a whole until it obeys. Raises NoAnswerError where toppra has none.
     """
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # its docstrings hold invalid escape sequences
@@ -99,6 +149,14 @@ def toppra_time(problem: MinimumTime) -> float:
         constraint.JointVelocityConstraint(np.stack([-velocity, velocity], axis=1)),
         constraint.JointAccelerationConstraint(np.stack([-acceleration, acceleration], axis=1)),
     ]
-    grid = np.linspace(0.0, 1.0, GRID)
+    grid = np.union1d(np.linspace(0.0, 1.0, GRID), np.linspace(0.0, 1.0, len(points)))
     planner = algorithm.TOPPRA(limits, path, gridpoints=grid)
-    return float(planner.compute_trajectory(0.0, 0.0).duration)
+    along, speeds, _ = planner.compute_parameterization(0.0, 0.0)
+    if along is None or speeds is None or not np.isfinite(speeds).all():
+        message = "toppra has no motion along the spline through these waypoints"
+        raise NoAnswerError(message)
+    steps = 2.0 * np.diff(grid) / (speeds[:-1] + speeds[1:])
+    slope, bend = (np.asarray(path(grid, m)) for m in (1, 2))
+    return float(steps.sum()) * slowing(
+        grid, speeds, slope, bend, velocity=velocity, acceleration=acceleration
+    )

@@ -4,6 +4,7 @@ from repro.robotics.joint_axes import freedoms, jacobian
 from repro.robotics.kinematics import Convention, dh_rows, forward_kinematics
 from repro.robotics.law import Law
 from repro.robotics.path_fitting import PathFitting
+from repro.robotics.polynomial_motion import PolynomialMotion
 from repro.robotics.polynomials import RestToRestLaw, cubic, quintic, septic
 from repro.robotics.rest_to_rest import MinimumTime, peak
 from repro.robotics.shown_motion import ShowsMotion
@@ -15,6 +16,7 @@ __all__ = [
     "MinimumTime",
     "MinimumTimeSpline",
     "PathFitting",
+    "PolynomialMotion",
     "RestToRestLaw",
     "ShowsMotion",
     "cubic",

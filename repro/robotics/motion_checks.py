@@ -1,34 +1,108 @@
 """What every motion problem must declare: finite waypoints, limits above 0, durations in order."""
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import pairwise
+from numbers import Real
+from typing import Any
 
-from repro.errors import DeclarationError
+import numpy as np
+from numpy.typing import NDArray
+
+from repro.errors import DeclarationError, InputError
+
+Vector = NDArray[np.float64]
+Rows = tuple[tuple[float, ...], ...]
+
+
+def numbers(values: Any, *, called: str) -> tuple[float, ...]:  # noqa: ANN401 (checked here)
+    """Return a list, tuple or array as floats; DeclarationError where one is no number."""
+    if isinstance(values, str | bytes) or not isinstance(values, Iterable):
+        message = f"{called}: {values!r:.60} is no list of numbers, one per joint"
+        raise DeclarationError(message)
+    return tuple(
+        _number(value, called=f"{called}, number {k}") for k, value in enumerate(values, 1)
+    )
+
+
+def rows(values: Any, *, called: str) -> Rows:  # noqa: ANN401 (checked here)
+    """Return a list of lists, or an array (points, joints), as tuples of floats."""
+    if isinstance(values, str | bytes) or not isinstance(values, Iterable):
+        message = f"{called}: {values!r:.60} is no list of points, each a number per joint"
+        raise DeclarationError(message)
+    return tuple(numbers(point, called=f"{called}, row {k}") for k, point in enumerate(values, 1))
+
+
+def _number(value: Any, *, called: str) -> float:  # noqa: ANN401 (checked here)
+    if isinstance(value, np.ndarray) and value.ndim == 0:
+        value = value[()]
+    if isinstance(value, bool | np.bool_) or not isinstance(value, Real):
+        message = f"{called}: {value!r:.60} is no number"
+        raise DeclarationError(message)
+    return float(value)
 
 
 def check_motion(
-    points: Sequence[Sequence[float]],
-    limits: Iterable[Sequence[float]],
-    durations: tuple[float, float],
+    points: Rows,
+    limits: Mapping[str, Sequence[float]],
+    durations: Sequence[float],
     *,
     called: str,
 ) -> None:
     """Raise DeclarationError for a motion that cannot be; `called` is what its points are called.
 
-    All points and limits have one number per joint, and a segment takes time.
+    `limits` are named. All points and limits have one number per joint, a segment takes time, and
+    in every segment something moves.
     """
-    limits = tuple(limits)
-    joints = {len(values) for values in (*points, *limits)}
-    if len(joints) > 1 or len(points) < 2:
-        message = f"{called} and limits disagree on the number of joints: {sorted(joints)}"
+    _check_points(points, called=called)
+    joints = len(points[0])
+    for kind, values in limits.items():
+        if len(values) != joints:
+            message = (
+                f"{called} and limits disagree on the number of joints: {called} have {joints}, "
+                f"{kind} has {len(values)}"
+            )
+            raise DeclarationError(message)
+        for joint, value in enumerate(values, start=1):
+            if not 0.0 < value < math.inf:
+                message = f"limits must be above 0 and finite: {kind} of joint {joint} is {value!r}"
+                raise DeclarationError(message)
+    if len(durations) != 2 or not 0.0 < durations[0] <= durations[1] < math.inf:
+        message = f"durations {tuple(durations)} must be 0 < shortest <= longest, in s"
         raise DeclarationError(message)
-    if not all(math.isfinite(value) for point in points for value in point):
-        message = f"{called} must be finite angles, not {points}"
+
+
+def _check_points(points: Rows, *, called: str) -> None:
+    if len(points) < 2:
+        message = f"{called}: a motion needs two or more, not {len(points)}"
         raise DeclarationError(message)
-    if not all(0.0 < value < math.inf for values in limits for value in values):
-        message = f"limits must be above 0 and finite, not {limits}"
+    counts = sorted({len(point) for point in points})
+    if len(counts) > 1 or counts == [0]:
+        message = f"{called} disagree on the number of joints: {counts}"
         raise DeclarationError(message)
-    shortest, longest = durations
-    if not 0.0 < shortest <= longest < math.inf:
-        message = f"durations {durations} must be 0 < shortest <= longest, in s"
-        raise DeclarationError(message)
+    for place, point in enumerate(points, start=1):
+        for joint, value in enumerate(point, start=1):
+            if not math.isfinite(value):
+                message = (
+                    f"{called} must be finite angles: joint {joint} of number {place} is {value!r}"
+                )
+                raise DeclarationError(message)
+    for place, (start, end) in enumerate(pairwise(points), start=1):
+        if start == end:
+            message = (
+                f"{called} {place} and {place + 1} are equal, {start}: nothing moves between "
+                "them; leave one of them out"
+            )
+            raise DeclarationError(message)
+
+
+def checked_durations(durations: Any, segments: int) -> Vector:  # noqa: ANN401 (checked here)
+    """Return the durations of a motion as an array; InputError unless each segment takes time."""
+    found = np.asarray(durations, dtype=np.float64)
+    if found.shape != (segments,) or not (np.isfinite(found).all() and (found > 0.0).all()):
+        message = (
+            f"durations {found.tolist()}: a motion of {segments} segments needs {segments}, each "
+            "above 0 s and finite"
+        )
+        raise InputError(message)
+    return found

@@ -5,7 +5,10 @@ distance it is s(τ) with s(0) = 0 and s(1) = 1 (L. Biagiotti, C. Melchiorri, Tr
 for Automatic Machines and Robots, Springer 2008, section 2.1).
 """
 
+import math
+from collections.abc import Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 
 import numpy as np
@@ -52,6 +55,15 @@ class RestToRestLaw:
         """Return s^(m) at normalised times `share`, same shape."""
         curve = self.polynomial.deriv(derivative) if derivative else self.polynomial
         return np.asarray(curve(share))
+
+
+def bernstein(p: Sequence[Fraction]) -> list[Fraction]:
+    """Return the Bernstein coefficients on [0, 1] of the polynomial p[0] + p[1]·τ + …."""
+    n = len(p) - 1
+    return [
+        sum((Fraction(math.comb(i, k), math.comb(n, k)) * p[k] for k in range(i + 1)), Fraction(0))
+        for i in range(n + 1)
+    ]
 
 
 cubic = RestToRestLaw(3)

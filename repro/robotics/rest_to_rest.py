@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from repro.determinism.compiled import jit
 from repro.errors import DeclarationError
 from repro.robotics.law import Law, check_law
-from repro.robotics.motion_checks import check_motion
+from repro.robotics.motion_checks import check_motion, checked_durations, numbers, rows
 
 Vector = NDArray[np.float64]
 Handling = Literal[
@@ -26,6 +26,12 @@ Handling = Literal[
     "fixed penalties where kept",
 ]
 DERIVATIVES = {1: "velocity", 2: "acceleration", 3: "jerk"}
+MARGIN = 2.0**-49
+"""Share by which a least duration is lengthened so that it obeys in doubles.
+
+The root of a product and a quotient is off by 4 units of 2^-53, and a check by the limits rounds
+at most 5 times, so 9 units would do; these are 16.
+"""
 _PENALTIES = 5
 _HEADER = 8
 
@@ -119,13 +125,29 @@ class MinimumTime:
     penalties: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
     def __post_init__(self) -> None:
-        """Raise DeclarationError for a law, points, limits, times or penalties that cannot be."""
-        kinds = (self.velocity, self.acceleration, *((self.jerk,) if self.jerk else ()))
+        """Raise DeclarationError for a law, points, limits, times or penalties that cannot be.
+
+        Arrays and lists are taken where tuples are meant.
+        """
+        limited = {m: kind for m, kind in DERIVATIVES.items() if getattr(self, kind) is not None}
+        object.__setattr__(self, "waypoints", rows(self.waypoints, called="waypoints"))
+        for name in (*limited.values(), "durations", "penalties"):
+            object.__setattr__(self, name, numbers(getattr(self, name), called=name))
+        kinds = {kind: getattr(self, kind) for kind in limited.values()}
         check_motion(self.waypoints, kinds, self.durations, called="waypoints")
+        if self.handling not in get_args(Handling):
+            message = f"handling {self.handling!r}: known are {', '.join(get_args(Handling))}"
+            raise DeclarationError(message)
+        if len(self.penalties) != 3:
+            message = (
+                f"penalties {self.penalties}: there must be three, of velocity, acceleration "
+                f"and jerk, not {len(self.penalties)}"
+            )
+            raise DeclarationError(message)
         if not all(0.0 <= price < np.inf for price in (self.weight, *self.penalties)):
             message = f"weight {self.weight} and penalties {self.penalties} must be 0 or more"
             raise DeclarationError(message)
-        check_law(self.law, {m: kind for m, kind in DERIVATIVES.items() if m < 3 or self.jerk})
+        check_law(self.law, limited)
 
     @property
     def segments(self) -> int:
@@ -140,7 +162,7 @@ class MinimumTime:
     @property
     def limits(self) -> Vector:
         """Limits on the first three derivatives (3, joints), infinite where there is none."""
-        jerk = self.jerk or (np.inf,) * len(self.velocity)
+        jerk = (np.inf,) * len(self.velocity) if self.jerk is None else self.jerk
         return np.array([self.velocity, self.acceleration, jerk])
 
     @property
@@ -178,12 +200,24 @@ class MinimumTime:
         return np.asarray(self.times_to_keep().max(axis=(1, 2)))
 
     def times_to_keep(self) -> Vector:
-        """Return the least duration per (segment, derivative, joint), in s."""
+        """Return the least duration per (segment, derivative, joint), in s.
+
+        Each is longer than the exact one by less than twice the MARGIN, so that it obeys in
+        doubles, too.
+        """
         factors = self.factors.tolist()
         least = [
-            (factors[m - 1] * self.distances / self.limits[m - 1]) ** (1 / m) for m in DERIVATIVES
+            root(factors[m - 1] * self.distances / self.limits[m - 1]) * (1.0 + MARGIN)
+            for m, root in enumerate((np.positive, np.sqrt, np.cbrt), start=1)
         ]
         return np.stack(least, axis=1)
+
+    def obeys(self, durations: Vector) -> bool:
+        """Return whether a motion keeps every limit, in doubles and as a search is told."""
+        times = checked_durations(durations, self.segments)[:, None, None]
+        powers = np.concatenate([times, times * times, times * times * times], axis=1)
+        asked = self.factors[:, None] * self.distances[:, None, :]
+        return bool((asked / (powers * self.limits) <= 1.0).all())
 
     def quantity(self, name: str, points: Vector) -> Vector:
         """Return "total" or "duration k" of motions `points` (…, segments), shape (…), in s.
@@ -210,7 +244,7 @@ def peak(problem: MinimumTime, durations: tuple[float, ...], derivative: int) ->
 def peaks(problem: MinimumTime, durations: tuple[float, ...], derivative: int) -> Vector:
     """Return the largest value of each joint in the derivative, (joints,), rad/s^derivative."""
     factor = problem.law.peak_factor(derivative)
-    times = np.array(durations)[:, None]
+    times = checked_durations(durations, problem.segments)[:, None]
     return np.asarray((factor * problem.distances / times**derivative).max(axis=0))
 
 
@@ -218,6 +252,7 @@ def motion(
     problem: MinimumTime, durations: Vector, *, derivative: int, samples: int
 ) -> tuple[Vector, Vector]:
     """Return times (n,) and joint values (n, joints) of the whole motion, SI units."""
+    durations = checked_durations(durations, problem.segments)
     share = np.linspace(0.0, 1.0, samples)
     points = np.array(problem.waypoints)
     ends = np.concatenate([[0.0], np.cumsum(durations)])

@@ -14,9 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from repro.determinism.compiled import jit
-from repro.errors import DeclarationError
+from repro.errors import DeclarationError, InputError
 from repro.robotics.bsplines import Ends, Matrix, sample, span_weights, spans
-from repro.robotics.motion_checks import check_motion
+from repro.robotics.motion_checks import check_motion, checked_durations, numbers, rows
 from repro.robotics.spline_limits import fastest, hardest, largest_turning, least, turning
 
 Vector = NDArray[np.float64]
@@ -141,9 +141,19 @@ class MinimumTimeSpline:
     handling: Handling = "feasibility first"
 
     def __post_init__(self) -> None:
-        """Raise DeclarationError for nodes, limits or durations that cannot be."""
-        kinds = (self.velocity, self.acceleration)
+        """Raise DeclarationError for nodes, limits, durations or words that cannot be.
+
+        Arrays and lists are taken where tuples are meant.
+        """
+        object.__setattr__(self, "nodes", rows(self.nodes, called="nodes"))
+        for name in ("velocity", "acceleration", "durations"):
+            object.__setattr__(self, name, numbers(getattr(self, name), called=name))
+        kinds = {"velocity": self.velocity, "acceleration": self.acceleration}
         check_motion(self.nodes, kinds, self.durations, called="nodes")
+        for name, known in (("ends", Ends), ("time_ends", Ends), ("handling", Handling)):
+            if getattr(self, name) not in get_args(known):
+                message = f"{name} {getattr(self, name)!r}: known are {', '.join(get_args(known))}"
+                raise DeclarationError(message)
 
     @property
     def segments(self) -> int:
@@ -186,9 +196,18 @@ class MinimumTimeSpline:
         The first is the greatest velocity of any joint over its limit, the second the same of the
         acceleration; infinite where time runs backwards.
         """
+        if np.shape(points)[-1:] != (self.segments,):
+            message = (
+                f"durations of shape {np.shape(points)}: the last side must be {self.segments}"
+            )
+            raise InputError(message)
         flat = np.ascontiguousarray(np.reshape(points, (-1, self.segments)), dtype=np.float64)
         peaks: Vector = _peak_shares(flat, self.data)
         return peaks.reshape(*np.shape(points)[:-1], 2)
+
+    def obeys(self, durations: Vector) -> bool:
+        """Return whether a motion keeps every limit, in doubles and as a search is told."""
+        return bool((self.peak_shares(durations) <= 1.0).all())
 
     def obeying(self, points: Vector) -> Vector:
         """Return motions slowed as a whole, as little as makes them obey; shape as given, in s.
@@ -257,6 +276,7 @@ def motion(
 
     Each segment has `samples` points, equally spaced in u; derivatives go up to 3, the jerk.
     """
+    durations = checked_durations(durations, problem.segments)
     u = np.linspace(0.0, 1.0, samples)
     angle = spans(problem.nodes, problem.ends)
     time = spans(np.concatenate([[0.0], np.cumsum(durations)]), problem.time_ends)[..., None]

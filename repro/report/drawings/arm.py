@@ -27,6 +27,7 @@ from repro.report.drawings.style import (
 )
 from repro.report.drawings.tool_path import numbered
 from repro.report.words import number
+from repro.robotics.own_motion import increasing
 from repro.robotics.skeleton import Skeleton
 
 Vector = NDArray[np.float64]
@@ -261,8 +262,12 @@ def _rows(motions: Sequence[Moving]) -> Rows:
     return (
         headings,
         *(
-            (motion.name, f"{time:.6g}", *(f"{value:.4f}" for value in posture.origins.ravel()))
+            (
+                motion.name,
+                f"{motion.times[k]:.12g}",
+                *(f"{value:.4f}" for value in motion.postures[k].origins.ravel()),
+            )
             for motion in motions
-            for time, posture in zip(motion.times, motion.postures, strict=True)
+            for k in increasing(motion.times).tolist()
         ),
     )

@@ -15,6 +15,7 @@ from repro.model.experiment import Experiment
 from repro.model.figures import Motion
 from repro.report.drawings.style import CURVE_POINTS, Plot, Rows, line_style, name_left_axis, panels
 from repro.robotics import MinimumTime
+from repro.robotics.own_motion import increasing
 from repro.robotics.shown_motion import Moving, ShowsMotion, highest, lasting, moved, shortest
 
 Vector = NDArray[np.float64]
@@ -216,14 +217,18 @@ def sample_rows(
     derivatives: Sequence[int],
     joints: Sequence[int],
 ) -> Rows:
-    """Return a row per sample: which motion, the time, every derivative of every joint."""
+    """Return a row per sample: which motion, the time, every derivative of every joint.
+
+    At an inner waypoint, where one segment ends and the next begins, stands the latter alone: a
+    controller refuses an instant that comes twice.
+    """
     named = (f"{QUANTITIES[m]} of joint {k} [{UNITS[m]}]" for m in derivatives for k in joints)
     rows: list[tuple[str, ...]] = [(what, "time [s]", *named)]
     for name, sample in sampled:
         times, _ = sample(0)
         values = np.hstack([sample(m)[1] for m in derivatives])
         rows += [
-            (name, f"{time:.6g}", *(f"{value:.6g}" for value in line))
-            for time, line in zip(times, values, strict=True)
+            (name, f"{times[k]:.12g}", *(f"{value:.6g}" for value in values[k]))
+            for k in increasing(times).tolist()
         ]
     return tuple(rows)

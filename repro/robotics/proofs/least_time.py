@@ -2,63 +2,53 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
-
-import numpy as np
 
 from repro.errors import NotProvedError
 from repro.robotics.fastest import fastest_joints
 from repro.robotics.fixed_penalties import Cheapest, cheapest
 from repro.robotics.path_fitting import PathFitting
 from repro.robotics.proofs.limit_rows import Cut
-from repro.robotics.proofs.spline_minimum import SplineProof, prove
-from repro.robotics.rest_to_rest import DERIVATIVES, MinimumTime
+from repro.robotics.proofs.proved import LeastTime, box_in_words, closed, gap
+from repro.robotics.proofs.rest_to_rest_minimum import PER, rest_to_rest
+from repro.robotics.proofs.spline_minimum import SplineProof, prove, prove_within
+from repro.robotics.proofs.watch import Watch
+from repro.robotics.rest_to_rest import MinimumTime
 from repro.robotics.spline_motion import MinimumTimeSpline
 
-GAP = 1e-4  # s: closer than this, a bound and a motion count as one minimum
-SI = {"velocity": "rad/s", "acceleration": "rad/s²", "jerk": "rad/s³"}
+AT_AN_END = 1e-6  # share of a duration allowed by which the motion's is longer for its proof
 LINEAR_PROGRAMME = (
     "linear programme: the velocity limits are linear in the durations, a rational combination of "
-    "them bounds the sum from below, and a motion lengthened by 1e-7 of its time is proved to keep "
+    "them bounds the sum from below, and a motion, lengthened a little, is proved to keep "
     "every limit by Bernstein coefficients in rational numbers; u runs from 0 to 1 in each segment"
 )
 BRANCH_AND_BOUND = (
     "branch and bound over the durations: the velocity limits are linear in them, the acceleration "
     "limits cubic with a chord as their linear bound in a box; a rational combination of both "
-    "bounds the sum in each of {boxes} boxes from below, and a motion lengthened by 1e-7 of its "
-    "time is proved to keep every limit by Bernstein coefficients in rational numbers; u runs from "
-    "0 to 1 in each segment"
+    "bounds the sum in each of {boxes} boxes from below, and a motion, lengthened a "
+    "little, is proved to keep every limit by Bernstein coefficients in rational numbers; u runs "
+    "from 0 to 1 in each segment"
 )
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class LeastTime:
-    """The proved minimum time of one problem, in s.
+def least_time(
+    problem: MinimumTime | MinimumTimeSpline,
+    watch: Watch | None = None,
+    *,
+    units: Sequence[str] | None = None,
+) -> LeastTime:
+    """Return the least time of every motion that obeys, as far as it can be proved.
 
-    `lower_bound` is proved, `attained` is the time of a motion checked to obey; `at` are its
-    durations; `binding` names the joint and limit that hold each segment back. Where a search is
-    better off breaking limits there is no `minimum`; `lower_bound` then holds for every motion
-    that obeys, `at` is where the search is led, and `explanation` says why.
+    With a watch, as far as it can be proved until that is over. `units` of the joints stand in its
+    words, rad where none are given.
     """
-
-    minimum: float | None
-    lower_bound: float | None
-    attained: float | None
-    method: str
-    at: tuple[float, ...]
-    binding: tuple[str, ...]
-    explanation: str = ""
-
-
-def least_time(problem: MinimumTime | MinimumTimeSpline) -> LeastTime:
-    """Return the least time of every motion that obeys, as far as it can be proved."""
+    units = ("rad",) * len(problem.velocity) if units is None else units
     if isinstance(problem, MinimumTimeSpline):
-        return _spline(problem)
+        return _spline(problem, watch, units)
     if problem.handling == "fixed penalties":
         least = cheapest(problem)
         if least.broken:
             return _better_off_breaking(problem, least)
-    return _rest_to_rest(problem)
+    return rest_to_rest(problem, units)
 
 
 def least_norms(fits: Sequence[PathFitting]) -> LeastTime:
@@ -99,6 +89,7 @@ def _better_off_breaking(problem: MinimumTime, least: Cheapest) -> LeastTime:
         ),
         at=tuple(float(duration) for duration in least.durations),
         binding=(f"whole motion: joint {slowest}",),
+        box=problem.durations,
         explanation=(
             f"The fitness as printed has its least value, {least.cost:.4g} s, where limits are "
             f"broken ({broken}): with {each} s the motion takes {least.time:.4g} s, and breaking "
@@ -111,25 +102,9 @@ def _better_off_breaking(problem: MinimumTime, least: Cheapest) -> LeastTime:
     )
 
 
-def _rest_to_rest(problem: MinimumTime) -> LeastTime:
-    at = problem.shortest()
-    total = float(at.sum())
-    return LeastTime(
-        minimum=total,
-        lower_bound=total,
-        attained=total,
-        method=(
-            "closed form: in each segment a joint that moves D in time T peaks at f·D/T^m, so T is "
-            "at least (f·D/limit)^(1/m) for every joint and limit, and the greatest of these obeys"
-        ),
-        at=tuple(float(t) for t in at),
-        binding=tuple(_binding(problem, k) for k in range(problem.segments)),
-    )
-
-
-def _spline(problem: MinimumTimeSpline) -> LeastTime:
+def _spline(problem: MinimumTimeSpline, watch: Watch | None, units: Sequence[str]) -> LeastTime:
     try:
-        proof = prove(problem)
+        proof = prove(problem) if watch is None else prove_within(problem, watch)
     except NotProvedError as error:
         return LeastTime(
             minimum=None,
@@ -138,43 +113,70 @@ def _spline(problem: MinimumTimeSpline) -> LeastTime:
             method=LINEAR_PROGRAMME,
             at=(),
             binding=(),
+            box=problem.durations,
             explanation=str(error),
         )
     # the double below, so that rounding cannot lift the bound
-    lower, attained = math.nextafter(float(proof.lower_bound), 0.0), float(proof.attained)
-    minimum = attained if attained - lower <= GAP else None
+    finite = math.isfinite(proof.lower_bound)
+    lower = math.nextafter(float(proof.lower_bound), 0.0) if finite else None
+    attained = math.fsum(map(float, proof.durations)) if proof.durations else None
     return LeastTime(
-        minimum=minimum,
+        minimum=closed(lower, attained),
         lower_bound=lower,
         attained=attained,
         method=BRANCH_AND_BOUND.format(boxes=proof.boxes) if proof.boxes else LINEAR_PROGRAMME,
         at=tuple(map(float, proof.durations)),
-        binding=_holding(problem, proof),
-        explanation=_accelerations(proof, minimum),
+        binding=(*_at_the_ends(problem, proof), *_holding(problem, proof, units)),
+        box=problem.durations,
+        explanation=_explanation(problem, proof, lower, attained),
     )
 
 
-def _accelerations(proof: SplineProof, minimum: float | None) -> str:
-    share = f"{100 * proof.acceleration_share:.3g} % of its limit"
-    lower, attained = float(proof.lower_bound), float(proof.attained)
-    if minimum is None:
+def _explanation(
+    problem: MinimumTimeSpline, proof: SplineProof, lower: float | None, attained: float | None
+) -> str:
+    if lower is None:
         return (
-            f"The minimum lies between {lower:.4f} s, proved by {proof.boxes} boxes of durations, "
-            f"and {attained:.4f} s, the shortest motion found (it reaches {share})."
+            f"No durations {box_in_words(problem.durations)} obey, proved by {proof.boxes} boxes."
+        )
+    if attained is None:
+        return (
+            f"No motion with durations {box_in_words(problem.durations)} was found that obeys; one "
+            f"would take {lower:.6g} s or more, proved by {proof.boxes} boxes of durations."
+        )
+    share = f"{100 * proof.acceleration_share:.3g} % of its limit"
+    if closed(lower, attained) is None:
+        return (
+            f"The minimum lies between {lower:.6g} s, proved by {proof.boxes} boxes of durations, "
+            f"and {attained:.6g} s, the shortest motion found (an acceleration reaches {share}): "
+            f"they are {100 * (gap(lower, attained) or 0.0):.2g} % apart."
         )
     if proof.boxes:
         return (
-            f"The minimum lies between {lower:.6f} s and {attained:.6f} s. An acceleration reaches "
+            f"The minimum lies between {lower:.8g} s and {attained:.8g} s. An acceleration reaches "
             f"{share}; the velocity limits alone would allow less."
         )
     return f"No acceleration exceeds {share}, so these limits play no part in the minimum."
 
 
-def _holding(problem: MinimumTimeSpline, proof: SplineProof) -> tuple[str, ...]:
+def _at_the_ends(problem: MinimumTimeSpline, proof: SplineProof) -> tuple[str, ...]:
+    """Return the segments that are as short or as long as is allowed."""
+    shortest, longest = problem.durations
+    return tuple(
+        f"segment {k}: {name} duration allowed ({end:g} s)"
+        for k, duration in enumerate(map(float, proof.durations), start=1)
+        for name, end in (("shortest", shortest), ("longest", longest))
+        if abs(duration - end) <= AT_AN_END * end
+    )
+
+
+def _holding(
+    problem: MinimumTimeSpline, proof: SplineProof, units: Sequence[str]
+) -> tuple[str, ...]:
     # u that differ by less than is shown are one place
     places = (
         f"segment {limit.span + 1}, at u = {float(limit.u):.3g}: {kind} of joint "
-        f"{limit.joint + 1} (limit {limits[limit.joint]:g} {SI[kind]})"
+        f"{limit.joint + 1} (limit {limits[limit.joint]:g} {units[limit.joint]}{PER[kind]})"
         for limit in sorted(proof.holding, key=lambda limit: (limit.span, limit.u))
         for kind, limits in [
             ("velocity", problem.velocity)
@@ -183,11 +185,3 @@ def _holding(problem: MinimumTimeSpline, proof: SplineProof) -> tuple[str, ...]:
         ]
     )
     return tuple(dict.fromkeys(places))
-
-
-def _binding(problem: MinimumTime, segment: int) -> str:
-    times = problem.times_to_keep()[segment]
-    derivative, joint = np.unravel_index(np.argmax(times), times.shape)
-    kind = DERIVATIVES[int(derivative) + 1]
-    limit = problem.limits[derivative, joint]
-    return f"segment {segment + 1}: {kind} of joint {joint + 1} (limit {limit:g} {SI[kind]})"

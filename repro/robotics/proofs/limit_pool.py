@@ -11,7 +11,8 @@ from repro.robotics.proofs.limit_rows import Bend, Cut, Exact, bend, cut
 
 Vector = NDArray[np.float64]
 SAMPLES = 64  # of a span, and again of the neighbourhood of the worst of them
-BREACH = 1e-9  # of a limit, by which it is worth adding
+BREACH = 1e-9  # share of a limit, by which it is worth adding
+TINY = 1e-30  # of a slope of time: where time stands still, every share is huge
 
 
 class Limits:
@@ -80,7 +81,7 @@ class Limits:
         return spans, joints, 3
 
     def _excess(self, durations: Vector, u: Vector) -> Vector:
-        """Return by how much limits are broken at u (spans, joints, kinds, n).
+        """Return by which share limits are broken at u (spans, joints, kinds, n).
 
         The kinds are acceleration downwards, velocity, acceleration upwards.
         """
@@ -89,9 +90,9 @@ class Limits:
         s, s1 = s0 + u * (s1 + u * s2), s1 + 2 * u * s2
         p, p1 = p0 + u * (p1 + u * p2), p1 + 2 * u * p2
         turn = (p1 * s - p * s1) / self.acceleration[:, None, None]
-        slow = abs(p) / self.velocity[:, None, None] - s
-        cube = np.maximum(s, 0.0) ** 3
-        parts = (-turn - cube, slow, turn - cube)
+        slope = np.maximum(s, TINY)
+        slow = (abs(p) / self.velocity[:, None, None] - s) / np.maximum(abs(s), TINY)
+        parts = (-turn / slope**3 - 1.0, slow, turn / slope**3 - 1.0)
         return np.stack([part[:, :, k] for k, part in enumerate(parts)], axis=2)
 
 

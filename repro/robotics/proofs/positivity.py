@@ -5,10 +5,11 @@ Farouki, Computer Aided Geometric Design 29 (2012) 379-419, doi:10.1016/j.cagd.2
 all are positive, so is the polynomial.
 """
 
-import math
 from collections.abc import Sequence
 from fractions import Fraction
 from itertools import pairwise
+
+from repro.robotics.polynomials import bernstein
 
 Polynomial = Sequence[Fraction]
 HALVINGS = 40  # of an interval whose Bernstein coefficients do not decide
@@ -37,12 +38,20 @@ def difference(p: Polynomial, q: Polynomial) -> list[Fraction]:
 
 def positive(p: Polynomial) -> bool:
     """Return whether p is proved positive on [0, 1]; one that touches 0 is not."""
-    n = len(p) - 1
-    bernstein = [
-        sum((Fraction(math.comb(i, k), math.comb(n, k)) * p[k] for k in range(i + 1)), Fraction(0))
-        for i in range(n + 1)
-    ]
-    return _positive(bernstein, HALVINGS)
+    return _positive(bernstein(p), HALVINGS)
+
+
+def not_negative(p: Polynomial) -> bool:
+    """Return whether p is proved to be 0 or more on [0, 1]; it may be 0 at the ends."""
+    rest = bernstein(p)
+    # a root at an end is divided out, as often as it is one
+    while len(rest) > 1 and rest[0] == 0:
+        n = len(rest) - 1
+        rest = [rest[i + 1] * Fraction(n, i + 1) for i in range(n)]
+    while len(rest) > 1 and rest[-1] == 0:
+        n = len(rest) - 1
+        rest = [rest[i] * Fraction(n, n - i) for i in range(n)]
+    return min(rest) >= 0 or _positive(rest, HALVINGS)
 
 
 def _positive(bernstein: list[Fraction], halvings: int) -> bool:

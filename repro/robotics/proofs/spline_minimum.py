@@ -3,19 +3,20 @@
 For given nodes the velocity limit |q'(u)| <= v·t'(u) is linear in the durations, for every u, so
 without the acceleration limit the least total time is a linear programme. It gives
 
-- a lower bound: finitely many u are a relaxation, and any non-negative weights of its rows that
-  add up to the objective prove a bound; they are made exact in rational numbers;
+- a lower bound: finitely many u are a relaxation, and any non-negative weights of its rows prove a
+  bound, in rational numbers (see `linear_programmes`);
 - a motion: the optimum, lengthened a little, is proved to keep both limits on the whole interval
   by Bernstein coefficients, again in rational numbers.
 
 Where the acceleration limit bites, bound and motion come from `branch_and_bound` instead.
-Both concern the problem as it stands in doubles.
+Both concern the problem as it stands in doubles. A fast problem and a slow one are one: the unit
+of time is a power of two, in s, near the time of the motion.
 """
 
 import itertools
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache
 
@@ -24,17 +25,20 @@ from numpy.typing import NDArray
 from scipy.optimize import linprog
 
 from repro.errors import NotProvedError
-from repro.robotics.bsplines import solve
-from repro.robotics.proofs.branch_and_bound import just_obeying, least_total
+from repro.robotics.proofs.branch_and_bound import least_total
+from repro.robotics.proofs.descent import descended, just_obeying, starts
 from repro.robotics.proofs.limit_pool import Limits
 from repro.robotics.proofs.limit_rows import Bend, Cut, Exact, Rationals, cut, dot, exact
+from repro.robotics.proofs.linear_programmes import TOLERANCES, weighed
 from repro.robotics.proofs.positivity import derivative, difference, positive, product
+from repro.robotics.proofs.watch import ENDLESS, Watch
 from repro.robotics.spline_motion import MinimumTimeSpline
 
 Vector = NDArray[np.float64]
 ROUNDS = 30  # of added cuts; the distance to the optimum falls with its square in every round
-INFLATION = 1e-7  # share by which the optimum is lengthened
-DECIMALS = 10**9  # durations of the proved motion are whole nanoseconds
+INFLATION = (1e-7, 1e-6, 1e-5)  # shares by which the optimum is lengthened, until it is proved
+BREACH = 1e-12  # of a velocity limit, by which it is worth adding
+_STILL = "time stands still at an end whatever the durations, so no motion has these `time_ends`"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -43,10 +47,11 @@ class SplineProof:
 
     `holding` are limits that the motion meets: they hold the bound up. `acceleration_share` is the
     greatest share of an acceleration limit that the motion reaches; `boxes` is how many boxes of
-    durations the bound took, none where the velocity limits alone give it.
+    durations the bound took, none where the velocity limits alone give it. Where no durations are
+    found that obey there are none; where that is proved, the bound is infinite.
     """
 
-    lower_bound: Fraction
+    lower_bound: Fraction | float
     durations: Rationals
     holding: tuple[Cut | Bend, ...]
     acceleration_share: float
@@ -60,55 +65,133 @@ class SplineProof:
 
 @cache
 def prove(problem: MinimumTimeSpline) -> SplineProof:
-    """Return the proof for one problem; NotProvedError where no motion can be proved to obey."""
+    """Return the proof for one problem; NotProvedError where nothing can be proved."""
+    return prove_within(problem, ENDLESS)
+
+
+def prove_within(problem: MinimumTimeSpline, watch: Watch) -> SplineProof:
+    """Return as much of the proof as there is time for."""
+    unit, scaled = _scaled(problem)
+    found = _in_unit(scaled, watch.scaled(unit))
+    scale = Fraction(unit)
+    bound = found.lower_bound
+    return replace(
+        found,
+        lower_bound=bound * scale if isinstance(bound, Fraction) else bound,
+        durations=tuple(duration * scale for duration in found.durations),
+        holding=tuple(_in_seconds(limit, scale) for limit in found.holding),
+    )
+
+
+def fastest_found(problem: MinimumTimeSpline, watch: Watch) -> float | None:
+    """Return the time of the fastest motion that is found, in s, without a proof of a bound."""
+    unit, scaled = _scaled(problem)
+    model = exact(scaled)
+    cuts, optimum, _ = _optimum(scaled, model, watch)
+    limits = Limits(model, cuts)
+    tried = [descended(scaled, limits, start, watch)[0] for start in starts(scaled, optimum)]
+    return min((unit * float(motion.sum()) for motion in tried), default=None)
+
+
+def _scaled(problem: MinimumTimeSpline) -> tuple[float, MinimumTimeSpline]:
+    """Return a unit of time in s, and the problem in it."""
+    if problem.time_ends == "still":
+        raise NotProvedError(_STILL)
+    unit = 2.0 ** round(math.log2(_roughly(problem)))
+    shortest, longest = problem.durations
+    return unit, replace(
+        problem,
+        velocity=tuple(limit * unit for limit in problem.velocity),
+        acceleration=tuple(limit * unit * unit for limit in problem.acceleration),
+        durations=(shortest / unit, longest / unit),
+    )
+
+
+def _in_seconds(limit: Cut | Bend, unit: Fraction) -> Cut | Bend:
+    if isinstance(limit, Cut):
+        return replace(limit, least=limit.least * unit)
+    turn = tuple(entry * unit * unit for entry in limit.turn)
+    return replace(limit, least=limit.least * unit, turn=turn)
+
+
+def _roughly(problem: MinimumTimeSpline) -> float:
+    """Return about how long the motion takes, in s."""
+    moves = abs(np.diff(np.array(problem.nodes), axis=0))
+    each = np.maximum(moves / problem.limits[0], np.sqrt(moves / problem.limits[1])).max(axis=1)
+    return float(np.maximum(each, problem.durations[0]).sum())
+
+
+def _in_unit(problem: MinimumTimeSpline, watch: Watch) -> SplineProof:
     model = exact(problem)
-    cuts, optimum, marginals = _optimum(problem, model)
-    lower, held = _bound(cuts, marginals)
-    holding: tuple[Cut | Bend, ...] = held
+    cuts, optimum, weights = _optimum(problem, model, watch)
+    tried = starts(problem, optimum)
+    lower: Fraction | float = _bound(problem, cuts, weights, tried)
+    holding: tuple[Cut | Bend, ...] = tuple(
+        limit for limit, weight in zip(cuts, weights, strict=True) if weight > BREACH
+    )
     motion, boxes = just_obeying(problem, optimum), 0
-    if not np.isfinite(motion).all():
-        message = "time stands still at the optimum of the linear programme: no joint moves there"
-        raise NotProvedError(message)
-    if motion.sum() > optimum.sum() * (1.0 + INFLATION):
-        bound = least_total(problem, Limits(model, cuts), motion)
+    if not motion.sum() <= optimum.sum() * (1.0 + INFLATION[0]):
+        limits = Limits(model, cuts)
+        bound = least_total(problem, limits, tried, watch)
         lower, boxes = max(lower, bound.lower), bound.boxes
         motion, holding = bound.motion, bound.holding
-    durations = tuple(
-        Fraction(math.ceil(h * DECIMALS), DECIMALS) for h in motion * (1.0 + INFLATION)
-    )
-    if not _obeys(model, durations):
-        message = f"no proof that {[float(h) for h in durations]} s keeps every limit"
-        raise NotProvedError(message)
-    share = problem.peak_shares(np.array(durations, dtype=np.float64))[1]
+    durations = _lengthened(problem, model, motion)
+    share = problem.peak_shares(np.array(durations, dtype=np.float64))[1] if durations else 0.0
     return SplineProof(
         lower_bound=lower,
         durations=durations,
-        holding=holding,
+        holding=holding if durations else (),
         acceleration_share=float(share),
         boxes=boxes,
     )
 
 
-def _optimum(problem: MinimumTimeSpline, model: Exact) -> tuple[list[Cut], Vector, Vector]:
-    """Return cuts, and optimum and dual weights of the linear programme that they make."""
+def _lengthened(problem: MinimumTimeSpline, model: Exact, motion: Vector) -> Rationals:
+    """Return the motion lengthened so little that it is proved to obey, also in doubles.
+
+    Nothing where that cannot be done with the durations allowed.
+    """
+    if not np.isfinite(motion).all():
+        return ()
+    for share in INFLATION:
+        durations = np.clip(motion * (1.0 + share), *problem.durations)
+        exactly = tuple(map(Fraction, durations.tolist()))
+        if problem.obeys(durations) and _obeys(model, exactly):
+            return exactly
+    return ()
+
+
+def _optimum(
+    problem: MinimumTimeSpline, model: Exact, watch: Watch
+) -> tuple[list[Cut], Vector, Vector]:
+    """Return cuts, and optimum and dual weights of the linear programme that they make.
+
+    Where the longest durations allowed are too short for it, it is that without them.
+    """
     places = list(itertools.product(range(problem.segments), range(len(problem.velocity))))
     cuts = [cut(model, *place, Fraction(k, 4)) for place in places for k in range(5)]
+    bounds: tuple[float, float | None] = problem.durations
     for _ in range(ROUNDS):
         rows = np.array([cut.weights for cut in cuts], dtype=np.float64)
         least = np.array([cut.least for cut in cuts], dtype=np.float64)
+        ones = np.ones(problem.segments)
         found = linprog(
-            np.ones(problem.segments), A_ub=-rows, b_ub=-least, bounds=(None, None), method="highs"
+            ones, A_ub=-rows, b_ub=-least, bounds=bounds, method="highs", options=TOLERANCES
         )
         if found.status:
+            if bounds[1] is not None:
+                bounds = (problem.durations[0], None)
+                continue
             message = f"the linear programme of the durations has no optimum: {found.message}"
             raise NotProvedError(message)
         worst = [_worst(model, place, found.x) for place in places]
         known = {(cut.span, cut.joint, cut.u) for cut in cuts}
-        fresh = [place for place, excess in worst if excess > 1e-12 and place not in known]
-        if not fresh:
+        fresh = [place for place, excess in worst if excess > BREACH and place not in known]
+        if not fresh or watch.over:
             break
         cuts += [cut(model, *place) for place in fresh]
-    return cuts, found.x, -found.ineqlin.marginals
+    weights = np.maximum(-found.ineqlin.marginals, 0.0)
+    return cuts[: len(weights)], found.x, weights
 
 
 def _worst(
@@ -128,27 +211,17 @@ def _worst(
     return best
 
 
-def _bound(cuts: Sequence[Cut], marginals: Vector) -> tuple[Fraction, tuple[Cut, ...]]:
-    """Return an exact lower bound and the cuts that prove it.
-
-    Weights y >= 0 with yᵀG = 1 give: total = 1ᵀh = yᵀGh >= yᵀg for every h that obeys.
-    """
-    n = len(cuts[0].weights)
-    holding: list[Cut] = []
-    for i in np.argsort(-marginals, kind="stable"):
-        # a node belongs to two spans, so the same row may stand there twice
-        rows = np.array([cut.weights for cut in (*holding, cuts[i])], dtype=np.float64)
-        if np.linalg.matrix_rank(rows) == len(rows):
-            holding.append(cuts[i])
-        if len(holding) == n:
-            break
-    transposed = [list(column) for column in zip(*(cut.weights for cut in holding), strict=True)]
-    weights = [row[0] for row in solve(transposed, [[Fraction(1)]] * n)]
-    if min(weights) < 0:
-        message = "the dual of the linear programme is degenerate: its weights are not exact"
-        raise NotProvedError(message)
-    bound = dot(weights, [cut.least for cut in holding])
-    return bound, tuple(cut for cut, weight in zip(holding, weights, strict=True) if weight)
+def _bound(
+    problem: MinimumTimeSpline, cuts: Sequence[Cut], weights: Vector, motions: Vector
+) -> Fraction:
+    """Return an exact lower bound on every motion that is no slower than the best known."""
+    n = problem.segments
+    shortest, longest = map(Fraction, problem.durations)
+    if len(motions):
+        longest = min(longest, Fraction(float(motions[0].sum())))
+    box = ((shortest, longest),) * n
+    rows = [(each.weights, each.least) for each in cuts]
+    return weighed((Fraction(1),) * n, rows, list(map(Fraction, weights.tolist())), box)
 
 
 def _obeys(model: Exact, durations: Rationals) -> bool:

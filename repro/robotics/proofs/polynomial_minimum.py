@@ -1,0 +1,211 @@
+"""Proved minimum time of a motion of polynomials that may start and end moving.
+
+Segments are independent. At one τ a limit on the m-th derivative is a polynomial of the duration T
+of degree m or less: A + B·T <= limit·T^m. From the shortest duration allowed on, the limit that is
+broken most is followed to the next root of its polynomial: in between no T obeys, which is proved
+by Bernstein coefficients in rational numbers, as is that the T where this ends obeys at every τ.
+"""
+
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+
+import numpy as np
+
+from repro.robotics.polynomial_motion import KINDS, PolynomialMotion, derived, extremes
+from repro.robotics.proofs.positivity import not_negative, positive
+from repro.robotics.proofs.proved import LeastTime, box_in_words, closed
+
+STEPS = 200  # from root to root
+SLACK = 1e-11  # share of a limit by which a motion may seem to break it when the search ends
+SHORTER = 1e-12  # share by which a root is shortened for the proof
+LONGER = (1e-10, 1e-9, 1e-8, 1e-7, 1e-6)  # shares by which the last T is lengthened for the proof
+METHOD = (
+    "cuts: at one instant of a segment a limit is a polynomial of the segment's duration, which "
+    "rules out all durations up to its root; the longest ruled out bounds the time from below, and "
+    "the motion is proved to keep every limit by Bernstein coefficients in rational numbers"
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BrokenLimit:
+    """A limit on a derivative of a joint, upper (sign 1) or lower (-1), at one τ."""
+
+    derivative: int
+    joint: int
+    sign: int
+    at: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SegmentProof:
+    """Duration of one segment: proved bound, the time of a motion proved to obey, what binds.
+
+    The bound is infinite where no duration obeys, `time` is None where none was found.
+    """
+
+    lower: float
+    time: float | None
+    cut: BrokenLimit | None
+
+
+def polynomial_minimum(problem: PolynomialMotion, units: tuple[str, ...]) -> LeastTime:
+    """Return the least time of every motion that obeys and whose durations are allowed."""
+    parts = [_segment(problem, k) for k in range(problem.segments)]
+    least = math.fsum(part.lower for part in parts)
+    at = [part.time for part in parts if part.time is not None]
+    whole = len(at) == len(parts) and problem.obeys(np.array(at))
+    attained = math.fsum(at) if whole else None
+    bound = math.nextafter(least, 0.0) if math.isfinite(least) else None
+    return LeastTime(
+        minimum=closed(bound, attained),
+        lower_bound=bound,
+        attained=attained,
+        method=METHOD,
+        at=tuple(at) if whole else (),
+        binding=tuple(
+            f"segment {k}: {_words(problem, part.cut, units)}" for k, part in enumerate(parts, 1)
+        ),
+        box=problem.durations,
+        explanation=_explanation(problem, parts, units),
+    )
+
+
+def _explanation(
+    problem: PolynomialMotion, parts: list[SegmentProof], units: tuple[str, ...]
+) -> str:
+    over = [
+        f"segment {k} ({_words(problem, part.cut, units)})"
+        for k, part in enumerate(parts, 1)
+        if part.time is None
+    ]
+    if not over:
+        return ""
+    proved = any(part.lower > problem.durations[1] for part in parts)
+    found = "obey" if proved else "were found that obey"
+    return f"No durations {box_in_words(problem.durations)} {found}: {'; '.join(over)}."
+
+
+def _words(problem: PolynomialMotion, cut: BrokenLimit | None, units: tuple[str, ...]) -> str:
+    if cut is None:
+        return f"shortest duration allowed ({problem.durations[0]:g} s)"
+    low, high = problem.bounds(cut.derivative, cut.joint)
+    unit = units[cut.joint] + ("", "/s", "/s²", "/s³")[cut.derivative]
+    return (
+        f"{KINDS[cut.derivative]} of joint {cut.joint + 1} "
+        f"(limit {high if cut.sign > 0 else low:g} {unit})"
+    )
+
+
+def _segment(problem: PolynomialMotion, segment: int) -> SegmentProof:
+    shortest, longest = problem.durations
+    time = proved = shortest
+    cut: BrokenLimit | None = None
+    for _ in range(STEPS):
+        worst, excess = _worst(problem, segment, time)
+        if excess <= SLACK:
+            found = _lengthened(problem, segment, time, exact=cut is None)
+            if found is not None:
+                return SegmentProof(lower=proved, time=found, cut=cut)
+            if excess <= 0.0:
+                break
+        cut = worst
+        room = _room(problem, segment, cut)
+        after = _next_root(room, time)
+        if after > longest:
+            never = positive(_mapped(room, proved, longest))
+            return SegmentProof(lower=math.inf if never else proved, time=None, cut=cut)
+        reached = after * (1.0 - SHORTER)
+        if reached > proved and positive(_mapped(room, proved, reached)):
+            proved = reached
+        time = max(after, time * (1.0 + SHORTER))
+    return SegmentProof(lower=proved, time=None, cut=cut)
+
+
+def _worst(problem: PolynomialMotion, segment: int, time: float) -> tuple[BrokenLimit, float]:
+    """Return the limit that is broken most, as a share of it, or kept most barely."""
+    found = (BrokenLimit(derivative=1, joint=0, sign=1, at=0.0), -math.inf)
+    for joint in range(problem.joints):
+        for m in KINDS:
+            low, high = problem.bounds(m, joint)
+            if math.isinf(low) and math.isinf(high):
+                continue
+            least, most, at_least, at_most = extremes(problem, segment, joint, m, time)
+            size = high - low if m == 0 else 1.0
+            above = (most - high) / (size if m == 0 else high) if high < math.inf else -math.inf
+            below = (low - least) / (size if m == 0 else -low) if low > -math.inf else -math.inf
+            for excess, sign, at in ((above, 1, at_most), (below, -1, at_least)):
+                if excess > found[1]:
+                    found = (BrokenLimit(derivative=m, joint=joint, sign=sign, at=at), excess)
+    return found
+
+
+def _room(problem: PolynomialMotion, segment: int, cut: BrokenLimit) -> list[Fraction]:
+    """Return by how much a limit is broken at one τ, times T^m, as a polynomial of T."""
+    m, place = cut.derivative, Fraction(cut.at)
+    still, moving = (
+        sum((entry * place**power for power, entry in enumerate(derived(p, m))), Fraction(0))
+        for p in problem.curve(segment, cut.joint)
+    )
+    low, high = problem.bounds(m, cut.joint)
+    room = [cut.sign * still, cut.sign * moving, Fraction(0), Fraction(0)]
+    room[m] -= Fraction(high if cut.sign > 0 else -low)
+    return room
+
+
+def _next_root(room: list[Fraction], time: float) -> float:
+    """Return the least root above a time, infinite where there is none."""
+    # in a unit in which the time is 1, so that no coefficient is lost
+    scaled = [float(entry * Fraction(time) ** power) for power, entry in enumerate(room)]
+    roots = np.polynomial.Polynomial(scaled).trim().roots()
+    real = roots.real[(abs(roots.imag) <= 1e-9 * abs(roots)) & (roots.real > 1.0)]
+    return time * float(real.min()) if real.size else math.inf
+
+
+def _mapped(room: list[Fraction], start: float, end: float) -> list[Fraction]:
+    """Return the polynomial of u where T = start + u·(end - start)."""
+    low, width = Fraction(start), Fraction(end) - Fraction(start)
+    return [
+        sum((room[j] * math.comb(j, i) * low ** (j - i) for j in range(i, len(room))), Fraction(0))
+        * width**i
+        for i in range(len(room))
+    ]
+
+
+def _lengthened(
+    problem: PolynomialMotion, segment: int, time: float, *, exact: bool
+) -> float | None:
+    """Return a duration little longer that is proved to obey; as it is where the box binds."""
+    for share in (0.0, *LONGER) if exact else LONGER:
+        longer = min(time * (1.0 + share), problem.durations[1])
+        if all(_kept(problem, segment, joint, m, longer) for joint, m in _limited(problem)):
+            return longer
+    return None
+
+
+def _limited(problem: PolynomialMotion) -> list[tuple[int, int]]:
+    return [
+        (joint, m)
+        for joint in range(problem.joints)
+        for m in KINDS
+        if any(map(math.isfinite, problem.bounds(m, joint)))
+    ]
+
+
+def _kept(problem: PolynomialMotion, segment: int, joint: int, m: int, time: float) -> bool:
+    least, most, *_ = extremes(problem, segment, joint, m, time)
+    low, high = problem.bounds(m, joint)
+    if not low <= least <= most <= high:
+        return False
+    duration = Fraction(time)
+    curve = [
+        a + duration * b
+        for a, b in zip(*(derived(p, m) for p in problem.curve(segment, joint)), strict=True)
+    ]
+    for sign, limit in ((1, high), (-1, -low)):
+        if math.isfinite(limit):
+            room = [-sign * entry for entry in curve]
+            room[0] += Fraction(limit) * duration**m
+            if not not_negative(room):
+                return False
+    return True

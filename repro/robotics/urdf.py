@@ -1,0 +1,103 @@
+"""Robot descriptions in URDF: the chain that moves, its ranges and greatest velocities.
+
+Read with yourdfpy (https://github.com/clemense/yourdfpy), which comes with the extra `urdf`.
+"""
+
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from repro.errors import InputError
+from repro.robotics.chain import Chain, Joint
+from repro.robotics.motion_checks import Rows
+
+MOVING = {"revolute": "revolute", "continuous": "revolute", "prismatic": "prismatic"}
+
+
+def read_urdf(path: Path) -> tuple[Chain, dict[str, Rows]]:
+    """Return the chain of the one arm that a file describes, and its limits in rad, m and s.
+
+    The limits are `velocity` and `range`, each only where every joint has it. Raises InputError
+    for a file that cannot be read, or whose joints that move are no single chain.
+    """
+    if not path.is_file():
+        message = f"robot {path}: there is no such file"
+        raise InputError(message)
+    try:
+        from yourdfpy import URDF  # noqa: PLC0415 (an extra)
+    except ImportError:
+        message = f"robot {path}: pip install 'repro-whales[urdf]' to read robot descriptions"
+        raise InputError(message) from None
+    try:
+        robot = URDF.load(str(path), build_scene_graph=False, load_meshes=False)
+        joints = _chain(list(robot.robot.joints))
+    except InputError as error:
+        message = f"robot {path}: {error}"
+        raise InputError(message) from None
+    except Exception as error:  # noqa: BLE001 (whatever a parser raises for what is no URDF)
+        message = f"robot {path}: is no URDF: {' '.join(str(error).split())[:200]}"
+        raise InputError(message) from None
+    return _joined(joints), _limits([joint for joint in joints if joint.type in MOVING])
+
+
+def _chain(joints: list[Any]) -> list[Any]:
+    """Return the joints from the base to the last one that moves, in order."""
+    by_child = {joint.child: joint for joint in joints}
+    moving = [joint for joint in joints if joint.type in MOVING and joint.mimic is None]
+    chains = []
+    for joint in moving:
+        chain = [joint]
+        while chain[0].parent in by_child:
+            chain.insert(0, by_child[chain[0].parent])
+        chains.append(chain)
+    if not chains:
+        message = "no joint of it moves"
+        raise InputError(message)
+    longest = max(chains, key=len)
+    beside = [joint.name for joint in moving if all(joint is not other for other in longest)]
+    if beside:
+        message = f"is no single chain: {', '.join(beside)} move beside {longest[-1].name}"
+        raise InputError(message)
+    tool = longest[-1].child
+    while len(after := [j for j in joints if j.parent == tool and j.type == "fixed"]) == 1:
+        longest.append(after[0])
+        tool = after[0].child
+    return longest
+
+
+def _joined(joints: list[Any]) -> Chain:
+    before, moving = np.eye(4), []
+    for joint in joints:
+        before = before @ (np.eye(4) if joint.origin is None else np.array(joint.origin))
+        if joint.type in MOVING:
+            axis = np.array([1.0, 0.0, 0.0] if joint.axis is None else joint.axis, dtype=float)
+            x, y, z = (axis / np.linalg.norm(axis)).tolist()
+            moving.append(
+                Joint(
+                    name=joint.name,
+                    kind="prismatic" if joint.type == "prismatic" else "revolute",
+                    before=tuple(map(tuple, before.tolist())),
+                    axis=(x, y, z),
+                )
+            )
+            before = np.eye(4)
+    return Chain(joints=tuple(moving), tool=tuple(map(tuple, before.tolist())))
+
+
+def _limits(joints: list[Any]) -> dict[str, Rows]:
+    found: dict[str, Rows] = {}
+    limits = [joint.limit for joint in joints]
+    if all(limit is not None and limit.velocity for limit in limits):
+        found["velocity"] = tuple((-limit.velocity, limit.velocity) for limit in limits)
+    ends = [
+        (limit.lower, limit.upper) if joint.type != "continuous" and limit is not None else None
+        for joint, limit in zip(joints, limits, strict=True)
+    ]
+    if any(pair and None not in pair for pair in ends):
+        found["range"] = tuple(
+            (-math.inf, math.inf) if pair is None or None in pair else (pair[0], pair[1])
+            for pair in ends
+        )
+    return found
