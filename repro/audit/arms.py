@@ -16,6 +16,7 @@ from repro.tables.rows import AuditRow, Grade
 Vector = NDArray[np.float64]
 SAMPLES = 2001  # of a segment: chords of so short pieces lie within 0.1 mm of the tool's path
 SLACK = 1e-4  # m: what is nearer to the plane than 0.1 mm is on it
+WRIST = 3  # the first frame that a column and an upper arm do not hold
 COLUMN = 1 / 20  # of the reach: no serial arm's column is thinner; joint 2 may stand farther out
 
 
@@ -117,11 +118,13 @@ def _column_rows(paper: str, arm: Arm, same: Sequence[_Way]) -> Iterator[AuditRo
     """Yield a row where wrist or tool is lower than joint 2 and close to the axis of joint 1."""
     times, corners = same[0].times, same[0].corners
     joints = len(arm.dh)
+    if joints <= WRIST:
+        return
     shoulder = float(corners[0, :3, 2].max())
     offset = float(np.hypot(*corners[0, 2, :2]))
     reach = float(np.linalg.norm(np.diff(corners[0], axis=0), axis=1).sum())
     near = max(offset, COLUMN * reach)
-    wrist = 2 * max(3, joints - 2)
+    wrist = 2 * max(WRIST, joints - 2)
     away = np.hypot(corners[:, wrist::2, 0], corners[:, wrist::2, 1])
     heights = corners[:, wrist::2, 2]
     away = np.where((heights >= -SLACK) & (heights <= shoulder), away, np.inf)

@@ -18,7 +18,7 @@ def run(options: Namespace) -> int:
     ]
     asked = {row.paper for row in rows}
     lines += [
-        f"{paper.key}: no motion from rest to rest, no planner to ask"
+        f"{paper.key}: no motion in least time, no planner to ask"
         for paper in papers
         if paper.key not in asked
     ]

@@ -10,17 +10,19 @@ before it is shown: their own words for failure, and every limit along the whole
 import warnings
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from repro.errors import ReproError
 from repro.model.paper import Paper
-from repro.robotics import MinimumTime
+from repro.robotics import MinimumTime, MinimumTimeSpline
 from repro.robotics.along_path import slowing
+from repro.robotics.bsplines import spans
 
 Vector = NDArray[np.float64]
+Problem = TypeVar("Problem")
 GRID = 1000  # points of toppra's grid; with few points it can exceed a velocity limit
 ROUNDING = 1e-6  # share of a limit that a planner's own arithmetic may lose
 
@@ -42,24 +44,28 @@ class OutsideReference:
 
 
 def outside_references(papers: Iterable[Paper]) -> tuple[OutsideReference, ...]:
-    """Return what each planner says of each problem whose segments rest at both ends."""
+    """Return what each planner says of each motion from rest to rest, or along a spline."""
     return tuple(
         reference
         for paper in papers
         for experiment in paper.experiments
         for name, problem in experiment.problems.items()
-        if isinstance(problem, MinimumTime)
+        if isinstance(problem, MinimumTime | MinimumTimeSpline)
         for reference in references_of(problem, paper=paper.key, name=f"{experiment.name}/{name}")
     )
 
 
-def references_of(problem: MinimumTime, *, paper: str, name: str) -> tuple[OutsideReference, ...]:
-    """Return what each planner says of one problem."""
+def references_of(
+    problem: MinimumTime | MinimumTimeSpline, *, paper: str, name: str
+) -> tuple[OutsideReference, ...]:
+    """Return what each planner says of one problem; of a spline toppra alone, on its path."""
+    if isinstance(problem, MinimumTimeSpline):
+        return (_asked(paper, name, problem, toppra_path_time),)
     return tuple(_asked(paper, name, problem, planner) for planner in (ruckig_time, toppra_time))
 
 
 def _asked(
-    paper: str, name: str, problem: MinimumTime, planner: Callable[[MinimumTime], float]
+    paper: str, name: str, problem: Problem, planner: Callable[[Problem], float]
 ) -> OutsideReference:
     time, skipped = None, ""
     try:
@@ -71,7 +77,7 @@ def _asked(
     return OutsideReference(
         paper=paper,
         problem=name,
-        planner=planner.__name__.removesuffix("_time"),
+        planner=planner.__name__.partition("_")[0],
         what=(planner.__doc__ or "").partition(".")[0],
         time=time,
         skipped=skipped,
@@ -138,19 +144,52 @@ def toppra_time(problem: MinimumTime) -> float:
     motion breaks a limit between two points of its grid, the time is that of the motion slowed as
     a whole until it obeys. Raises NoAnswerError where toppra has none.
     """
+    from scipy.interpolate import CubicSpline  # noqa: PLC0415 (slow to load)
+
+    knots = np.linspace(0.0, 1.0, len(problem.waypoints))
+    # the cubic spline that toppra itself takes: its third derivative goes through the second knot
+    path = CubicSpline(knots, np.array(problem.waypoints))
+    return _along(path, knots, limits=problem.limits[:2])
+
+
+def toppra_path_time(problem: MinimumTimeSpline) -> float:
+    """Time along the paper's own B-spline in the angles, at rest at both ends, in s.
+
+    Any course of time along the path is allowed, but the ends are at rest, which those of the
+    paper's motions need not be, so it may be less or more than their minimum. Raises NoAnswerError
+    as toppra_time does.
+    """
+    from scipy.interpolate import PPoly  # noqa: PLC0415 (slow to load)
+
+    coefficients = spans(problem.nodes, problem.ends)
+    knots = np.arange(problem.segments + 1.0)
+    path = PPoly(coefficients[:, ::-1].transpose(1, 0, 2), knots)
+    return _along(path, knots, limits=problem.limits)
+
+
+def _along(path: Callable[..., Vector], knots: Vector, *, limits: Vector) -> float:
+    """Return toppra's time along a cubic path; limits on velocity and acceleration (2, joints)."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # its docstrings hold invalid escape sequences
-        from toppra import SplineInterpolator, algorithm, constraint  # noqa: PLC0415 (an extra)
+        from toppra import algorithm, constraint  # noqa: PLC0415 (an extra)
+        from toppra.interpolator import AbstractGeometricPath  # noqa: PLC0415
 
-    points = np.array(problem.waypoints)
-    velocity, acceleration, _ = problem.limits
-    path = SplineInterpolator(np.linspace(0.0, 1.0, len(points)), points)
-    limits = [
+    class Path(AbstractGeometricPath):  # type: ignore[misc]
+        """The path in toppra's words."""
+
+        dof = limits.shape[1]
+        path_interval = knots[[0, -1]]
+
+        def __call__(self, at: Any, order: int = 0) -> Vector:  # noqa: ANN401
+            return np.asarray(path(at, order))
+
+    velocity, acceleration = limits
+    asked = [
         constraint.JointVelocityConstraint(np.stack([-velocity, velocity], axis=1)),
         constraint.JointAccelerationConstraint(np.stack([-acceleration, acceleration], axis=1)),
     ]
-    grid = np.union1d(np.linspace(0.0, 1.0, GRID), np.linspace(0.0, 1.0, len(points)))
-    planner = algorithm.TOPPRA(limits, path, gridpoints=grid)
+    grid = np.union1d(np.linspace(knots[0], knots[-1], GRID), knots)
+    planner = algorithm.TOPPRA(asked, Path(), gridpoints=grid)
     along, speeds, _ = planner.compute_parameterization(0.0, 0.0)
     if along is None or speeds is None or not np.isfinite(speeds).all():
         message = "toppra has no motion along the spline through these waypoints"

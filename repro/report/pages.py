@@ -3,6 +3,7 @@
 import shlex
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from types import MappingProxyType
@@ -11,9 +12,11 @@ from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescap
 from markupsafe import Markup
 
 from repro.audit.alone import tables_alone
+from repro.audit.arms import rows_of_arm
 from repro.judge.findings import LEVEL
 from repro.judge.judgement import Judgement
 from repro.judge.verdict import Verdict
+from repro.model.figures import Arm, Figure
 from repro.model.identifiers import anchor
 from repro.model.measures.measure import TABLES
 from repro.report.calibration import calibration
@@ -141,14 +144,31 @@ def _paper_files(judgement: Judgement, master_seed: str, files: Files, called: s
 def _drawings(judgement: Judgement) -> list[Drawing]:
     paper = judgement.paper
     return [
-        draw(
-            figure,
-            judgement.evidence,
-            anchor(paper.key, figure.label),
-            assumptions=paper.assumptions,
+        replace(
+            draw(
+                figure,
+                judgement.evidence,
+                anchor(paper.key, figure.label),
+                assumptions=paper.assumptions,
+            ),
+            notes=_notes(paper.key, figure),
         )
         for figure in paper.figures
     ]
+
+
+def _notes(key: str, figure: Figure) -> tuple[str, ...]:
+    """Return what the audit says of an arm, for where it is drawn."""
+    if not isinstance(figure, Arm):
+        return ()
+    rows = [
+        f"{row.grade.capitalize()}: {row.explanation}"
+        + (f". Holds if {row.condition}." if row.condition else ".")
+        for row in rows_of_arm(key, figure)
+    ]
+    if figure.robot is None:
+        rows.append("No public description of the machine is declared to compare this arm with.")
+    return tuple(rows)
 
 
 def verdict_files() -> Files:

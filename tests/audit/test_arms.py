@@ -10,6 +10,7 @@ from repro.model import Arm, Paper
 from repro.model.arm_motions import course, peaks
 from repro.robotics import forward_kinematics
 from repro.tables.rows import AuditRow, Grade
+from tests.small_arms import ARM as OF_TWO_JOINTS
 
 
 def arm_of(paper: Paper) -> Arm:
@@ -135,3 +136,7 @@ def test_exact_peaks_are_never_below_the_sampled_ones_and_near_them(
 
         assert (exact >= sampled * (1 - 1e-12)).all()
         assert exact == pytest.approx(sampled, rel=1e-3, abs=1e-12)
+
+
+def test_an_arm_of_two_joints_has_no_wrist_to_look_at() -> None:
+    assert list(rows_of_arm("key", OF_TWO_JOINTS)) == []

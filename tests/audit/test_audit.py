@@ -246,6 +246,7 @@ def test_the_inconsistent_places_of_liang_are_these() -> None:
     assert [(row.check, row.table) for row in rows] == [
         ("rank-in-text", "Table II"),
         ("rank-in-text", "Table II"),
+        ("arm-links", "Table III"),
         ("percentage", "Table VI"),
         ("poses", "Table IV"),
     ]

@@ -178,7 +178,7 @@ def test_the_time_and_both_motions_are_told_in_words(view: Open) -> None:
         page.keyboard.press("PageUp")
     told = page.locator(".arm-where").inner_text().splitlines()
     assert told == [
-        "as </script><b>printed</b>: segment 2 of 2",
+        "as </script><b>printed</b>: segment 2 of 2; nearest limit: velocity of joint 2, 49 %",
         "certified optimum: arrived at 5.89 s",
     ]
     spoken = page.locator(".arm-time").get_attribute("aria-valuetext")
@@ -288,3 +288,15 @@ def test_the_view_fits_the_page(view: Open, width: int) -> None:
         box = page.locator(part).bounding_box()
         assert box["x"] >= 0
         assert box["x"] + box["width"] <= width
+
+
+def test_joint_angles_move_with_the_clock_and_the_nearest_limit_is_underlined(view: Open) -> None:
+    page = view()
+    cells = page.locator(".arm-joints td")
+    assert cells.all_inner_texts() == ["0.0"] * 4
+    page.locator(".arm-time").focus()
+    page.keyboard.press("End")
+    assert cells.all_inner_texts() == ["90.0"] * 4
+    page.keyboard.press("Home")
+    page.keyboard.press("PageUp")
+    assert page.locator(".arm-binds").count() == 2

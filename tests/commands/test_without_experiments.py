@@ -85,7 +85,7 @@ def test_references_say_that_there_is_no_motion_to_ask_for(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     assert told(capsys, "references", "alone2020") == (
-        0, ["alone2020: no motion from rest to rest, no planner to ask"], [],
+        0, ["alone2020: no motion in least time, no planner to ask"], [],
     )  # fmt: skip
 
 

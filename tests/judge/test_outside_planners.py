@@ -11,9 +11,10 @@ from repro.judge.outside_planners import (
     outside_references,
     references_of,
     ruckig_time,
+    toppra_path_time,
     toppra_time,
 )
-from repro.robotics import MinimumTime, cubic
+from repro.robotics import MinimumTime, MinimumTimeSpline, cubic
 from repro.robotics.fastest import fastest
 from tests.doe2021 import ARM, PAPER
 
@@ -127,3 +128,26 @@ def test_motion_of_ruckig_that_breaks_a_limit_is_not_shown(changed: dict[str, ob
 
     with pytest.raises(NoAnswerError, match="joint 1 in segment 1 is none"):
         _check_profile(straight, 0, 0, profile(**changed))
+
+
+STRAIGHT = MinimumTimeSpline(
+    nodes=((0.0, 0.0), (0.5, 0.25), (1.0, 0.5)),
+    velocity=(1.25, 1.25),
+    acceleration=(9.0, 9.0),
+    durations=(0.1, 9.0),
+)
+
+
+@needs_planners
+def test_along_a_straight_path_toppra_takes_the_least_time_of_the_slowest_joint() -> None:
+    least = fastest(1.0, velocity=1.25, acceleration=9.0)
+
+    assert toppra_path_time(STRAIGHT) == pytest.approx(least, rel=1e-2)
+
+
+def test_of_a_spline_toppra_alone_is_asked_on_the_path_of_the_paper() -> None:
+    (row,) = references_of(STRAIGHT, paper="key", name="motion/arm")
+
+    assert row.planner == "toppra"
+    assert "the paper's own B-spline in the angles" in row.what
+    assert (row.time is None) == bool(row.skipped)

@@ -15,11 +15,11 @@ from repro.errors import DeclarationError
 from repro.model.assumptions import Assumption
 from repro.model.figures import Arm
 from repro.report.drawings.arm_motion import Moving, moving, waypoints
+from repro.report.drawings.arm_scene import scene_of
 from repro.report.drawings.style import (
     COLOURS,
     WIDTH,
     Plot,
-    Scene,
     Style,
     draw_legend,
     empty,
@@ -35,8 +35,17 @@ Vector = NDArray[np.float64]
 ELEVATION = math.radians(22)  # of the eye above the floor
 DIRECTIONS = 12  # round the arm, none along an axis, from which the widest view is taken
 GRID = (1, 2, 5)  # a square of the floor is so many times a power of ten long
-START: Style = {"color": COLOURS[0], "linewidth": 4.5, "marker": "o", "markersize": 7}
-GOAL: Style = {"color": COLOURS[1], "linewidth": 4.5, "marker": "s", "markersize": 6.5}
+POINTS = 72  # to the inch, of line widths
+# Shares of what the picture shows, and of a link's radius; report/arm/source has the same.
+THICK, DRUM, FOOT = 0.022, 1.8, 3.0
+INVENTED = (
+    "Lengths and joint axes are those of the parameters; how thick links, joints and foot are is "
+    "ours, and so is the shape of the tool. The squares lie in the plane z = 0 of the base frame; "
+    "how high it is above a floor the parameters do not say."
+)
+ROUND: Style = {"solid_capstyle": "round", "solid_joinstyle": "round"}
+START: Style = {"color": COLOURS[0], "linewidth": 6} | ROUND
+GOAL: Style = {"color": COLOURS[1], "linewidth": 6} | ROUND
 BETWEEN: Style = {"color": "#000000", "linewidth": 1.4, "marker": "o", "markersize": 3}
 PATH: Style = {"color": COLOURS[2], "linewidth": 1.8, "linestyle": (0, (3, 1.5))}
 FLOOR: Style = {"color": "#000000", "linewidth": 0.5, "alpha": 0.3}
@@ -62,12 +71,41 @@ class Eye:
 def arm_plot(figure: Arm, assumptions: Sequence[Assumption]) -> Plot:
     """Return the still with the scene; DeclarationError for an assumption that is not there."""
     motions, stops = moving(figure), waypoints(figure)
+    told = (
+        f"An arm of {len(figure.dh)} joints drawn from its Denavit-Hartenberg parameters "
+        f"({figure.convention} convention), as lines through its links"
+    )
+    return motions_plot(motions, stops, told=told, after=_assumed(figure, assumptions))
+
+
+def motions_plot(
+    motions: Sequence[Moving],
+    stops: Sequence[Skeleton],
+    *,
+    told: str,
+    after: str = "",
+    joints: Sequence[tuple[str, str]] = (),
+) -> Plot:
+    """Return still and scene of an arm on its motions; `told` begins what is said of them.
+
+    `stops` are the postures at the waypoints; `joints` are as in scene_of.
+    """
     eye = _eye(motions)
+    scene = scene_of(
+        motions,
+        stops,
+        middle=eye.middle,
+        radius=eye.radius,
+        square=_square(eye),
+        axis=_axis_length(eye),
+        view=(eye.azimuth, ELEVATION),
+        joints=joints,
+    )
     return Plot(
-        canvas=_still(motions[0], stops, eye),
-        description=_description(figure, motions, stops) + _assumed(figure, assumptions),
+        canvas=_still(motions[0], stops, eye, column=scene["column"]),
+        description=f"{told}{_description(motions, stops)}{after}",
         frame=_frame(motions),
-        scene=_scene(figure, motions, stops, eye),
+        scene=scene,
     )
 
 
@@ -83,7 +121,7 @@ def _eye(motions: Sequence[Moving]) -> Eye:
     return max(eyes, key=lambda eye: float(eye.sees(motions[0].tool)[:, 0].std().round(9)))
 
 
-def _still(motion: Moving, stops: Sequence[Skeleton], eye: Eye) -> Figure:
+def _still(motion: Moving, stops: Sequence[Skeleton], eye: Eye, *, column: bool) -> Figure:
     """Return the drawing of the arm at every waypoint, with the way of its tool between them."""
     legend = [
         Line2D([], [], label="arm at start", **START),
@@ -107,20 +145,45 @@ def _still(motion: Moving, stops: Sequence[Skeleton], eye: Eye) -> Figure:
     axes.set_ylim(low[1], high[1])
     for line in floor:
         axes.plot(*eye.sees(line).T, **FLOOR)
-    _draw_base(axes, eye)
-    for arm, style in ((arms[0], START), (arms[-1], GOAL), *((arm, BETWEEN) for arm in arms[1:-1])):
-        axes.plot(*arm.T, **style)
+    per_metre = WIDTH * POINTS / float((high - low)[0])
+    _draw_base(axes, eye, column=column)
     axes.plot(*path.T, **PATH)
+    for arm in arms[1:-1]:
+        axes.plot(*arm.T, **BETWEEN)
+    for stop, style in ((stops[0], START), (stops[-1], GOAL)):
+        _draw_arm(axes, eye, stop, style, per_metre)
     _number_tools(axes, [arm[-1] for arm in arms])
     axes.text(0.01, 0.0, f"squares: {_square(eye):g} m", transform=axes.transAxes, va="bottom")
     return canvas
 
 
-def _draw_base(axes: Axes, eye: Eye) -> None:
-    for name, end in zip("xyz", np.eye(3) * 0.35 * eye.radius, strict=True):
+def _draw_arm(axes: Axes, eye: Eye, stop: Skeleton, style: Style, per_metre: float) -> None:
+    """Draw links with thickness, and joints as cylinders along their axes, before them."""
+    thick = 2 * THICK * eye.radius * per_metre
+    axes.plot(*eye.sees(stop.corners).T, **style | {"linewidth": thick})
+    half = DRUM * THICK * eye.radius
+    for place, axis in zip(stop.joints, stop.axes, strict=True):
+        ends = eye.sees(np.array([place - half * axis, place + half * axis]))
+        for width, colour in ((1.7, "#000000"), (1.3, style["color"])):
+            axes.plot(
+                *ends.T,
+                color=colour,
+                linewidth=width * thick,
+                solid_capstyle="round",
+            )
+
+
+def _draw_base(axes: Axes, eye: Eye, *, column: bool) -> None:
+    length = _axis_length(eye)
+    for name, end in zip("xyz", np.eye(3) * length, strict=True):
         axes.plot(*eye.sees(np.array([np.zeros(3), end])).T, color="#000000", linewidth=1)
-        across, up = eye.sees(1.15 * end)
-        axes.annotate(name, (across, up), ha="center", va="center")
+        across, up = eye.sees(end + 0.08 * eye.radius * end / length)
+        axes.annotate(f"{name} {length:g} m", (across, up), ha="center", va="center")
+    if column:
+        angles = np.linspace(0, 2 * np.pi, 49)
+        foot = FOOT * THICK * eye.radius
+        ring = foot * np.stack([np.cos(angles), np.sin(angles), np.zeros_like(angles)], axis=1)
+        axes.fill(*eye.sees(ring).T, color="#000000", alpha=0.35)
 
 
 def _number_tools(axes: Axes, places: Sequence[Vector]) -> None:
@@ -143,6 +206,13 @@ def _square(eye: Eye) -> float:
     return max(decade * share for share in GRID if decade * share <= eye.radius / 2)
 
 
+def _axis_length(eye: Eye) -> float:
+    """Return how long the axes of the base are drawn in m: two squares where they are in sight."""
+    ends = 2 * _square(eye) * np.eye(3)
+    in_sight = np.linalg.norm(ends - eye.middle, axis=1).max() <= eye.radius
+    return _square(eye) * (2 if in_sight else 1)
+
+
 def _floor(eye: Eye) -> Vector:
     """Return the ends of the lines of the floor, shape (lines, 2, 3), in m."""
     square = _square(eye)
@@ -152,35 +222,7 @@ def _floor(eye: Eye) -> Vector:
     return np.array(ends + [[(-far, k, 0.0), (far, k, 0.0)] for k in places])
 
 
-def _scene(figure: Arm, motions: Sequence[Moving], stops: Sequence[Skeleton], eye: Eye) -> Scene:
-    """Return what the live view draws: lengths in mm, times in s, hundredths for directions."""
-    joints = len(figure.dh)
-    first = 0 if figure.convention == "standard" else 2  # corner where joint 1 turns
-    return {
-        "motions": [
-            {
-                "name": motion.name,
-                "durations": [round(duration, 4) for duration in motion.durations],
-                "times": np.round(motion.times, 4).tolist(),
-                "corners": [_whole(1000 * p.corners) for p in motion.postures],
-                "axes": [_whole(100 * p.axes) for p in motion.postures],
-            }
-            for motion in motions
-        ],
-        "joints": [first + 2 * joint for joint in range(joints)],
-        "waypoints": [_whole(1000 * stop.corners[-1]) for stop in stops],
-        "middle": _whole(1000 * eye.middle),
-        "radius": round(1000 * eye.radius),
-        "grid": round(1000 * _square(eye)),
-        "view": [round(eye.azimuth, 4), round(ELEVATION, 4)],
-    }
-
-
-def _whole(values: Vector) -> list[int]:
-    return [round(value) for value in values.ravel().tolist()]
-
-
-def _description(figure: Arm, motions: Sequence[Moving], stops: Sequence[Skeleton]) -> str:
+def _description(motions: Sequence[Moving], stops: Sequence[Skeleton]) -> str:
     places = "; ".join(
         f"{index + 1} at ({', '.join(f'{value:.3f}' for value in stop.corners[-1])})"
         for index, stop in enumerate(stops)
@@ -192,9 +234,8 @@ def _description(figure: Arm, motions: Sequence[Moving], stops: Sequence[Skeleto
         for motion in motions
     )
     return (
-        f"An arm of {len(figure.dh)} joints drawn from its Denavit-Hartenberg parameters "
-        f"({figure.convention} convention), as lines through its links; its tool passes {places} "
-        f"(x, y, z in m). {told}. Squares of the floor are {_square(_eye(motions)):g} m long."
+        f"; its tool passes {places} (x, y, z in m). {told}. Squares of the plane z = 0 are "
+        f"{_square(_eye(motions)):g} m long. {INVENTED}"
     )
 
 

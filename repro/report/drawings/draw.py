@@ -26,7 +26,8 @@ class Drawing:
 
     `svg` is one inline element in the page's own text colour; `title` is label and caption;
     `description` says in words what is drawn, with its main numbers; `frame` holds the data;
-    `scene`, where there is one, is what an interactive view of it draws.
+    `scene`, where there is one, is what an interactive view of it draws; `notes` are what is to be
+    known of it.
     """
 
     svg: str
@@ -34,6 +35,7 @@ class Drawing:
     description: str
     frame: pd.DataFrame = field(compare=False)  # a frame is equal to none as a whole
     scene: Scene | None = None
+    notes: tuple[str, ...] = ()
 
 
 def draw(

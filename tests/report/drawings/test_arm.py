@@ -32,10 +32,10 @@ def test_the_scene_has_every_corner_of_the_arm_in_millimetres() -> None:
     assert scene is not None
     printed, certified = scene["motions"]
     assert len(printed["times"]) == len(printed["corners"]) == len(printed["axes"])
-    assert printed["corners"][0] == [0, 0, 0, 0, 0, 0, 1000, 0, 0, 1000, 0, 0, 1500, 0, 0]
+    assert printed["corners"][0] == [0, 0, 0, 1000, 0, 0, 1500, 0, 0]
     assert certified["corners"][-1][-3:] == pytest.approx([-500, 1000, 0], abs=1)
     assert scene["waypoints"] == [[1500, 0, 0], [0, 1500, 0], [-500, 1000, 0]]
-    assert scene["joints"] == [0, 2]
+    assert scene["joints"] == [0, 1]
 
 
 @pytest.mark.parametrize("paper", PAPERS, ids=lambda paper: paper.key)
@@ -99,7 +99,7 @@ def test_the_data_are_the_origins_of_the_frames_over_time() -> None:
 
 def test_the_still_numbers_the_waypoints_and_tells_its_scale() -> None:
     texts = [e.text for e in ET.fromstring(drawn().svg).iter(f"{SVG}text")]  # noqa: S314 (ours)
-    assert {"1", "2", "3", "x", "y", "z", "squares: 0.5 m"} <= set(texts)
+    assert {"1", "2", "3", "x 0.5 m", "y 0.5 m", "z 0.5 m", "squares: 0.5 m"} <= set(texts)
     assert {"arm at start", "between", "arm at goal", "path of the tool"} <= set(texts)
 
 
@@ -113,3 +113,46 @@ def test_an_assumption_that_is_not_there_is_refused_by_name() -> None:
             "x",
             assumptions=SHOWING_AN_ARM.assumptions,
         )
+
+
+def test_the_scene_tells_the_angles_and_the_nearest_limit_of_every_instant() -> None:
+    scene = drawn().scene
+    assert scene is not None
+    _, certified = scene["motions"]
+    middle = len(certified["times"]) // 4  # of the first segment, where joint 1 is fastest
+
+    assert scene["names"] == ["1 [°]", "2 [°]"]
+    assert scene["limits"][:3] == [
+        "velocity of joint 1",
+        "velocity of joint 2",
+        "acceleration of joint 1",
+    ]
+    assert certified["angles"][0] == [0, 0]
+    assert certified["angles"][-1] == [900, 900]
+    assert certified["nearest"][middle] == [0, 100]
+    assert len(certified["nearest"]) == len(certified["angles"]) == len(certified["times"])
+
+
+def test_without_limits_those_of_the_machine_are_shown_and_else_none() -> None:
+    scene = drawn(MOUSA).scene
+    assert scene is not None
+    assert len(scene["limits"]) == 12
+    arm = next(figure for figure in MOUSA.figures if isinstance(figure, Arm))
+    alone = draw(
+        replace(arm, robot=None), evidence_of(MOUSA, {}), "x", assumptions=MOUSA.assumptions
+    ).scene
+    assert alone is not None
+    assert alone["limits"] == alone["motions"][0]["nearest"] == []
+
+
+@pytest.mark.parametrize("paper", PAPERS, ids=lambda paper: paper.key)
+def test_a_foot_stands_only_where_the_parameters_leave_room_for_it(paper: Paper) -> None:
+    scene = drawn(paper).scene
+    assert scene is not None
+    assert scene["column"] is (paper is not SYJI)
+
+
+def test_what_the_parameters_do_not_say_is_said_to_be_ours() -> None:
+    description = drawn().description
+    assert "how thick links, joints and foot are is ours" in description
+    assert "how high it is above a floor the parameters do not say" in description

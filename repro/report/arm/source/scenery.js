@@ -1,7 +1,7 @@
 // What stands still about the arms: floor, axes, the tool's path, the waypoints.
 import {
-  BufferGeometry, CatmullRomCurve3, Group, Line, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, SphereGeometry, TubeGeometry,
-  Vector3,
+  BufferGeometry, CatmullRomCurve3, DoubleSide, Group, Line, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, PlaneGeometry,
+  SphereGeometry, TubeGeometry, Vector3,
 } from "three";
 
 // Return the floor: squares of that step in metres, as many as reach so far.
@@ -14,12 +14,18 @@ export function floor(step, reach) {
   return new LineSegments(new BufferGeometry().setFromPoints(points), new LineBasicMaterial());
 }
 
-// Return the three axes of the base, and where their names stand.
+// Return the plane z = 0, through which one sees: what is below it looks veiled.
+export function plane(reach) {
+  const veil = new MeshBasicMaterial({ side: DoubleSide, transparent: true, opacity: 0.55, depthWrite: false });
+  return new Mesh(new PlaneGeometry(2 * reach, 2 * reach), veil);
+}
+
+// Return the three axes of the base, and where their names and lengths stand.
 export function axes(length) {
   const ends = [new Vector3(length, 0, 0), new Vector3(0, length, 0), new Vector3(0, 0, length)];
   const group = new Group(), material = new LineBasicMaterial();
   for (const end of ends) group.add(new Line(new BufferGeometry().setFromPoints([new Vector3(), end]), material));
-  return { group, material, names: ends.map((end, k) => ({ text: "xyz"[k], place: end.clone().multiplyScalar(1.12), kind: "axis" })) };
+  return { group, material, names: ends.map((end, k) => ({ text: `${"xyz"[k]} ${Number(length.toPrecision(3))} m`, place: end.clone().multiplyScalar(1.12), kind: "axis" })) };
 }
 
 // Return the path of a motion's tool as a tube.

@@ -2,8 +2,9 @@
 import { DirectionalLight, HemisphereLight, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from "three";
 import { Clock } from "./clock.js";
 import { Orbit } from "./orbit.js";
+import { Readings } from "./readings.js";
 import { Robot } from "./robot.js";
-import { axes, floor, path, waypoints } from "./scenery.js";
+import { axes, floor, path, plane, waypoints } from "./scenery.js";
 
 const ANGLE = 30; // degrees, of the camera
 const MARGIN = 1.12; // room for labels about all that moves
@@ -31,6 +32,7 @@ class View {
     Object.assign(this, { figure, part, canvas, renderer, data });
     this.camera = new PerspectiveCamera(ANGLE, 1, 0.01, 100);
     this.camera.up.set(0, 0, 1);
+    this.readings = new Readings(part("joints"), part("where"), data);
     this.middle = new Vector3(...data.middle).divideScalar(1000);
     this.#furnish();
     this.clock = new Clock(Math.max(...data.motions.map(motion => motion.times.at(-1))), () => this.#told());
@@ -44,16 +46,19 @@ class View {
   }
 
   #furnish() {
-    const { data } = this, reach = data.radius / 1000, thick = 0.028 * reach;
+    const { data } = this, reach = data.radius / 1000, thick = 0.03 * reach;
     this.scene = new Scene();
-    this.robots = data.motions.map((motion, k) => new Robot(motion, data.joints, thick, k > 0));
+    this.robots = data.motions.map((motion, k) =>
+      new Robot(motion, data.joints, thick, { seeThrough: k > 0, column: data.column && k === 0 }));
     this.paths = data.motions.map((motion, k) => path(motion, thick * (k ? 0.16 : 0.2)));
     this.floor = floor(data.grid / 1000, 1.1 * reach);
     this.floor.position.z = -0.003 * reach; // just below the axes, which lie on it
-    const frame = axes(0.35 * reach), marks = waypoints(data.waypoints, 0.55 * thick);
+    this.plane = plane(Math.ceil(1.1 * reach / (data.grid / 1000)) * data.grid / 1000);
+    this.plane.position.z = -0.005 * reach;
+    const frame = axes(data.axis / 1000), marks = waypoints(data.waypoints, 0.55 * thick);
     this.inks = [frame.material, marks.material];
     this.sun = new DirectionalLight(0xffffff, 1.6);
-    this.scene.add(...this.robots, ...this.paths, this.floor, frame.group, marks.group, new HemisphereLight(0xffffff, 0x777777, 1.9), this.sun);
+    this.scene.add(...this.robots, ...this.paths, this.floor, this.plane, frame.group, marks.group, new HemisphereLight(0xffffff, 0x777777, 1.9), this.sun);
     this.labels = [...frame.names, ...marks.names].map(({ text, place, kind }) => {
       const label = document.createElement("span");
       label.className = `arm-label arm-label-${kind}`;
@@ -93,15 +98,14 @@ class View {
 
   // Say and show the time that the clock has now.
   #told() {
-    const { clock, part, data } = this, range = part("time");
-    const where = data.motions.map(motion => `${motion.name}: ${progress(motion, clock.now)}`);
+    const { clock, part } = this, range = part("time");
+    for (const robot of this.robots) robot.at(clock.now);
+    const where = this.readings.show(this.robots, clock.now);
     const seconds = `${clock.now.toFixed(2)} s`;
     range.value = clock.now;
-    range.setAttribute("aria-valuetext", `${seconds}. ${where.join(". ")}`);
+    range.setAttribute("aria-valuetext", `${seconds}. ${where}`);
     part("now").textContent = `${seconds} of ${clock.end.toFixed(2)} s`;
-    part("where").replaceChildren(...where.map(line => Object.assign(document.createElement("li"), { textContent: line })));
     part("play").textContent = clock.playing ? "Pause" : "Play";
-    for (const robot of this.robots) robot.at(clock.now);
     this.draw();
   }
 
@@ -139,18 +143,10 @@ class View {
   #dress() {
     const style = getComputedStyle(this.figure);
     const colour = name => style.getPropertyValue(`--arm-${name}`).trim();
-    this.robots.forEach((robot, k) => { robot.colour = colour(k ? "ghost" : "solid"); });
+    this.robots.forEach((robot, k) => robot.dress(colour(k ? "ghost" : "solid"), colour(k ? "ghost" : "joint")));
     this.paths.forEach((tube, k) => tube.material.color.set(colour(k ? "ghost" : "solid")));
     this.floor.material.color.set(colour("floor"));
+    this.plane.material.color.set(colour("plane"));
     for (const material of this.inks) material.color.set(colour("ink"));
   }
-}
-
-function progress(motion, now) {
-  let end = 0;
-  for (const [k, duration] of motion.durations.entries()) {
-    end += duration;
-    if (now < end) return motion.durations.length > 1 ? `segment ${k + 1} of ${motion.durations.length}` : "on its way";
-  }
-  return `arrived at ${end.toFixed(2)} s`;
 }

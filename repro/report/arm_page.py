@@ -1,0 +1,48 @@
+"""A page that shows any arm on its motions, drawn and live."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from repro.report.drawings.arm import motions_plot
+from repro.report.drawings.arm_motion import Moving
+from repro.report.drawings.draw import Drawing, drawing
+from repro.report.pages import render
+from repro.robotics.skeleton import Skeleton
+
+
+def arm_drawing(
+    title: str,
+    motions: Sequence[Moving],
+    stops: Sequence[Skeleton],
+    *,
+    joints: Sequence[tuple[str, str]] = (),
+    notes: Sequence[str] = (),
+    identifier: str = "arm",
+) -> Drawing:
+    """Return the arm ready for a page; the arguments are those of arm_page."""
+    told = f"An arm of {len(motions[0].postures[0].joints)} joints, as lines through its links"
+    made = drawing(
+        lambda: motions_plot(motions, stops, told=told, joints=joints),
+        title=title,
+        identifier=identifier,
+    )
+    return replace(made, notes=tuple(notes))
+
+
+def arm_page(
+    title: str,
+    motions: Sequence[Moving],
+    stops: Sequence[Skeleton],
+    *,
+    joints: Sequence[tuple[str, str]] = (),
+    notes: Sequence[str] = (),
+    more: Sequence[str] = (),
+) -> str:
+    """Return a whole HTML page of an arm: the first motion solid, a second as its ghost.
+
+    `stops` are the postures at the waypoints, `joints` name and unit (° or mm) of each joint,
+    numbers and ° where empty; `notes` are told below the arm, as text; `more` are inline SVGs of
+    our own to stand below it. All motions have the same corners, whatever chain they are of.
+    """
+    shown = arm_drawing(title, motions, stops, joints=joints, notes=notes)
+    return render("arm.html", {"title": title, "drawings": [shown], "more": tuple(more)})
