@@ -110,11 +110,13 @@ def tests(session: nox.Session) -> None:
     session.run("pytest", *kinds, *SPREAD, *session.posargs, env=TESTING)
 
 
-@nox.session
+@nox.session(venv_backend="uv")  # pip knows no lowest versions
 def lowest(session: nox.Session) -> None:
     """Run the tests with the lowest versions that pyproject.toml allows: its bounds are true."""
     oldest = ("--resolution", "lowest-direct")
-    session.install(*oldest, "-r", "pyproject.toml", "--extra", "test", "-r", "requirements/build.in")
+    session.install(
+        *oldest, "-r", "pyproject.toml", "--extra", "test", "-r", "requirements/build.in"
+    )
     session.install("--no-deps", "--no-build-isolation", "-e", ".")
     kinds = ("-m", "not browser and not cluster and not full_size")
     session.run("pytest", *kinds, *SPREAD, *session.posargs, env=TESTING)

@@ -20,7 +20,7 @@ BUILD = "import sys; from setuptools import build_meta as b; b.build_sdist('d');
 def built(tmp_path_factory: pytest.TempPathFactory) -> tuple[set[str], set[str]]:
     """Return the names of the files in an sdist and in a wheel of what is here."""
     copy = tmp_path_factory.mktemp("built") / "repro"
-    idle = shutil.ignore_patterns("__pycache__", ".git", ".repro", ".nox", "node_modules", "reports")
+    idle = shutil.ignore_patterns("__pycache__", ".git", ".repro", "node_modules", "reports")
     shutil.copytree(ROOT, copy, ignore=idle)
     done = subprocess.run(
         (sys.executable, "-c", BUILD), cwd=copy, capture_output=True, text=True, check=False
