@@ -10,6 +10,7 @@ from itertools import count
 from pathlib import Path
 
 from repro.errors import InputError
+from repro.report.escapes import csv_value
 
 
 def usable_folder(folder: Path) -> None:
@@ -28,7 +29,7 @@ def usable_folder(folder: Path) -> None:
 def csv_text(rows: Iterable[Iterable[object]]) -> str:
     """Return rows as the text of a CSV file."""
     text = io.StringIO()
-    csv.writer(text, lineterminator="\n").writerows(rows)
+    csv.writer(text, lineterminator="\n").writerows(map(csv_value, row) for row in rows)
     return text.getvalue()
 
 

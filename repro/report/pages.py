@@ -20,6 +20,7 @@ from repro.model.paper import Paper
 from repro.report.calibration import calibration
 from repro.report.drawings.arm_viewer import viewer
 from repro.report.drawings.draw import Drawing, draw
+from repro.report.escapes import markdown_text
 from repro.report.files import csv_text, usable_folder, write_file
 from repro.report.formulas import dollars, equation_links, formula_anchor, mathml, powers_of_ten
 from repro.report.results import (
@@ -232,9 +233,9 @@ def render(name: str, context: Mapping[str, object]) -> str:
 
 
 def _without_tags(value: object) -> object:
-    """Return what a Markdown page may show: text can open no tag there, as HTML pages escape it."""
+    """Return what a Markdown page may show, as HTML pages escape it."""
     if isinstance(value, str) and not isinstance(value, Markup):
-        return value.replace("<", "&lt;")
+        return markdown_text(value)
     return value
 
 
