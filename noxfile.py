@@ -110,7 +110,7 @@ def tests(session: nox.Session) -> None:
     session.run("pytest", *kinds, *SPREAD, *session.posargs, env=TESTING)
 
 
-@nox.session
+@nox.session(venv_backend="uv")  # pip knows no lowest versions
 def lowest(session: nox.Session) -> None:
     """Run the tests with the lowest versions that pyproject.toml allows: its bounds are true."""
     oldest = ("--resolution", "lowest-direct")

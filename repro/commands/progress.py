@@ -4,7 +4,7 @@ import sys
 import time
 from typing import TextIO
 
-from repro.commands.streams import Shown
+from repro.commands.streams import FitForTerminal
 
 PLAIN_SECONDS = 10.0  # between two plain lines
 TERMINAL_SECONDS = 0.1  # between two redraws
@@ -37,7 +37,11 @@ class Progress:
             filled = _WIDTH * done // total
             bar = "█" * filled + "·" * (_WIDTH - filled)
             text = f"\r{bar} {text}\033[K" + ("\n" if last else "")
-            draw = self._stream.draw if isinstance(self._stream, Shown) else self._stream.write
+            draw = (
+                self._stream.draw
+                if isinstance(self._stream, FitForTerminal)
+                else self._stream.write
+            )
             draw(text)
         else:
             self._stream.write(text + "\n")

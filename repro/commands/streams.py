@@ -50,7 +50,7 @@ class Unread(io.FileIO):
             return memoryview(data).nbytes
 
 
-class Shown(io.TextIOBase):
+class FitForTerminal(io.TextIOBase):
     """A stream of text for a terminal, before another one."""
 
     def __init__(self, stream: TextIO) -> None:
@@ -97,7 +97,7 @@ class Shown(io.TextIOBase):
 def shown_streams() -> Iterator[None]:
     """Let standard output and standard error be such streams while the block runs."""
     before = sys.stdout, sys.stderr
-    out, err = (Shown(_lasting(stream, k)) for k, stream in enumerate(before, 1))
+    out, err = (FitForTerminal(_lasting(stream, k)) for k, stream in enumerate(before, 1))
     sys.stdout, sys.stderr = cast("TextIO", out), cast("TextIO", err)
     try:
         yield

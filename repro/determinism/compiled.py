@@ -2,7 +2,7 @@
 
 The engine's compiled code stands in the folder that `kept_code` finds. A function of a user's own
 has a folder in that one, named after a digest of the user's modules that its own one imports,
-directly or not.
+directly or not, and of the values that it holds as constants.
 """
 
 import hashlib
@@ -14,9 +14,11 @@ from pathlib import Path
 from typing import Any
 
 import numba
+from numba.core.caching import FunctionCache
 from numba.types import FunctionType, Tuple, float64, int64, uint64
 
 from repro.determinism.definitions import import_closure
+from repro.determinism.frozen_values import compiled_functions, frozen_values
 from repro.determinism.kept_code import kept_in
 from repro.determinism.source_files import is_of_engine, path_of, text_of
 from repro.errors import InputError
@@ -41,8 +43,7 @@ def jit(function: Any) -> Any:  # noqa: ANN401 (numba ships no types)
     A division by zero gives what IEEE 754 says, not an exception. Code whose source cannot be found
     is compiled anew in every process.
     """
-    own = "" if is_of_engine(function.__module__) else _sources_of(function.__module__)
-    with _LOCK, _keeping(own) as kept:
+    with _LOCK, _keeping(_made_of(function)) as kept:
         return numba.njit(nogil=True, cache=kept, error_model="numpy")(function)
 
 
@@ -58,6 +59,28 @@ def _keeping(own: str | None) -> Iterator[bool]:
     finally:
         for name, value in before.items():
             setattr(numba.config, name, value)
+
+
+def _made_of(function: Any) -> str | None:  # noqa: ANN401
+    """Return a digest of all that a user's function is compiled from, as it is now.
+
+    It is "" for the engine's, which has its own, and None where the source cannot be found.
+    """
+    if is_of_engine(function.__module__):
+        return ""
+    sources = _sources_of(function.__module__)
+    if sources is None:
+        return None
+    return hashlib.sha256(f"{sources} {frozen_values(function)}".encode()).hexdigest()[:16]
+
+
+def _keep_as_now(kernel: Any) -> None:  # noqa: ANN401
+    """Let what a kernel calls be kept under the constants of now: some are set after `jit`."""
+    for one in compiled_functions(kernel):
+        made = _made_of(one.py_func)
+        if made and KEPT and isinstance(one._cache, FunctionCache):  # noqa: SLF001
+            with _keeping(made):
+                one.enable_caching()
 
 
 def _sources_of(module: str) -> str | None:
@@ -87,6 +110,7 @@ def ready(kernel: Any, signature: Any) -> Any:  # noqa: ANN401 (numba ships no t
     """
     with _LOCK:
         if signature.args not in kernel.overloads:
+            _keep_as_now(kernel)
             try:
                 kernel.compile(signature)
             except (numba.core.errors.NumbaError, TypeError, RuntimeError) as error:

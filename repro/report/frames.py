@@ -14,6 +14,7 @@ from repro.audit import AuditRow
 from repro.determinism.seeds import seed_of
 from repro.judge.certificates import Certificate
 from repro.model.identifiers import identifiers
+from repro.report.escapes import csv_value
 from repro.report.plain_rows import RANK_SUM, STANDING, TEST
 from repro.report.results import Json
 from repro.runs.raw_runs import RawRun, ran_as
@@ -50,11 +51,15 @@ RUNS = ("paper", *PUBLISHED, "seed", "seconds")
 def csv_text(frame: pd.DataFrame, digits: int | None = None) -> str:
     """Return a frame as the text of a CSV file; floats are exact, or of so many digits.
 
-    Instants keep twelve: of fewer, two that follow each other could be one.
+    Instants keep twelve: of fewer, two that follow each other could be one. No text of it, a
+    heading neither, is a formula where the file is opened.
     """
     if digits is not None and INSTANT in frame:
         frame = frame.assign(**{INSTANT: frame[INSTANT].map("{:.12g}".format)})
     form = None if digits is None else f"%.{digits}g"
+    texts = frame.select_dtypes(exclude="number").columns
+    frame = frame.assign(**{name: frame[name].map(csv_value) for name in texts})
+    frame = frame.rename(columns=csv_value)
     text: str = frame.to_csv(index=False, lineterminator="\n", float_format=form)
     return text
 

@@ -22,6 +22,7 @@ from repro.model.measures.measure import TABLES
 from repro.report.calibration import calibration
 from repro.report.drawings.arm_viewer import viewer
 from repro.report.drawings.draw import Drawing, draw
+from repro.report.escapes import markdown_text
 from repro.report.files import usable_folder, write_file
 from repro.report.formulas import dollars, equation_links, formula_anchor, mathml, powers_of_ten
 from repro.report.frames import DIGITS, FINDING, csv_text, findings_frame
@@ -252,9 +253,9 @@ def render(name: str, context: Mapping[str, object]) -> str:
 
 
 def _without_tags(value: object) -> object:
-    """Return what a Markdown page may show: text can open no tag there, as HTML pages escape it."""
+    """Return what a Markdown page may show, as HTML pages escape it."""
     if isinstance(value, str) and not isinstance(value, Markup):
-        return value.replace("<", "&lt;")
+        return markdown_text(value)
     return value
 
 

@@ -7,6 +7,7 @@ import shlex
 from markupsafe import Markup, escape
 
 from repro.judge.verdict import Unseen, Verdict
+from repro.report.escapes import markdown_text
 from repro.tables.published import Printed
 
 SYMBOLS = {
@@ -160,7 +161,7 @@ def counted(group: str | None, others: int) -> str:
 def markdown_cell(text: object) -> str:
     """Return text that stays one cell of a Markdown table and can open no tag and no link."""
     plain = " ".join(str(text).split("\n"))
-    return plain.replace("|", "\\|").replace("<", "&lt;").replace("](", "]\\(")
+    return markdown_text(plain.replace("|", "\\|"))
 
 
 def again_command(paper: str, called: str, name: str, master_seed: str) -> str:

@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 
 from repro.__main__ import main
 from repro.commands.shown_rows import warn
-from repro.commands.streams import Shown, Unread, for_terminal
+from repro.commands.streams import FitForTerminal, Unread, for_terminal
 from tests.commands.test_surroundings import called
 from tests.hostile import STRINGS, hostile_paper
 from tests.small_papers import let_be_known
@@ -147,7 +147,7 @@ def test_a_stream_that_fails_says_nothing(error: Exception) -> None:
         def flush(self) -> None:
             raise error
 
-    stream = Shown(Broken())
+    stream = FitForTerminal(Broken())
 
     assert stream.write("text") == 4
     stream.flush()
