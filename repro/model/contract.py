@@ -5,8 +5,10 @@ from collections.abc import Iterable, Iterator
 
 from repro.model.assumptions import Assumption
 from repro.model.claims import CellClaim
+from repro.model.measures.measure import Statistic
 from repro.model.open_points import Gap
 from repro.model.paper import Paper
+from repro.tables.headings import runs_in
 
 
 def contract_faults(paper: Paper) -> Iterator[str]:
@@ -26,9 +28,25 @@ def contract_faults(paper: Paper) -> Iterator[str]:
     ):
         if not because.strip():
             yield f"{what}: it has no reason (because)"
+    yield from _other_counts(paper)
     for what, gap in _left_to(paper):
         if gap not in paper.gaps:
             yield f"{what}: its gap {gap.what!r} is not among the paper's gaps"
+
+
+def _other_counts(paper: Paper) -> Iterator[str]:
+    """Yield the tables whose caption tells another number of runs than their experiment has."""
+    runs = {experiment.name: experiment.runs for experiment in paper.experiments}
+    pairs = {
+        (claim.table.where, claim.table.label, claim.measure.experiment)
+        for claim in paper.claims
+        if isinstance(claim, CellClaim) and isinstance(claim.measure, Statistic) and not claim.gap
+    }
+    for where, label, name in sorted(pairs):
+        told = {n for n, _ in runs_in(where)}
+        if told and runs[name] not in told:
+            counts = " and ".join(map(str, sorted(told)))
+            yield f"{label}: its caption tells {counts} runs, experiment {name!r} has {runs[name]}"
 
 
 def _left_to(paper: Paper) -> Iterator[tuple[str, Gap]]:

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from repro.__main__ import main
-from tests.small_papers import PAPER, let_be_known
+from tests.small_papers import CLAIMS, PAPER, let_be_known
 
 Run = Callable[..., tuple[int, str, str]]
 
@@ -69,3 +69,21 @@ def test_check_exits_with_1_on_what_no_paper_may_do(
     code, out, _ = run("check", PAPER.key)
 
     assert (code, "2 tables are called 'Table 1'" in out) == (1, True)
+
+
+def test_check_tells_a_caption_of_other_runs_than_the_experiment_has(
+    run: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    table = replace(PAPER.results[0], where="Table 1, p. 3 (20 runs)")
+    claims = tuple(replace(claim, table=table) for claim in CLAIMS)
+    let_be_known(monkeypatch, replace(PAPER, results=(table,), claims=claims))
+
+    code, out, _ = run("check", PAPER.key)
+
+    assert (code, out.splitlines()[:2]) == (
+        1,
+        [
+            "small2020: 1 fault",
+            "  fault: Table 1: its caption tells 20 runs, experiment 'search' has 3",
+        ],
+    )

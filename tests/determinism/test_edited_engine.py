@@ -37,7 +37,7 @@ def with_another_number(text: str, draw: random.Random) -> str:
     lines = text.splitlines()
     line = lines[chosen.lineno - 1]
     begun, ended = line[: chosen.col_offset], line[chosen.end_col_offset :]
-    lines[chosen.lineno - 1] = f"{begun}{float(str(chosen.value)) + 0.25}{ended}"
+    lines[chosen.lineno - 1] = f"{begun}1.25 * {chosen.value!r}{ended}"
     return "\n".join(lines) + "\n"
 
 
