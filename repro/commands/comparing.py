@@ -39,18 +39,12 @@ def compared(
     """Run the searches as far as the store lacks them, make one again, and judge them all.
 
     Options say where and by whom runs are made (`store`, `workers`, `dask`, `called`); `ready` is
-    called before anything is run. Raises
-    InputError for a name that is unknown and a number that cannot be.
+    called before anything is run. Raises InputError for a name that is unknown and a number that cannot be.
     """
     own = _protocols(asked, papers)
-    tasks = [
-        _timed(task, asked.timeout)
-        for task in plan(own.values(), asked.repeats)
-        if task.algorithm in asked.searches
-    ]
+    tasks = _tasks(asked, own)
     ready()
-    places = [getattr(search, "place", "") for search in asked.searches.values()]
-    used = libraries(places)
+    used = libraries(getattr(search, "place", "") for search in asked.searches.values())
 
     def environment() -> dict[str, object]:
         return {**provenance(), "libraries": dict(used)}
@@ -75,6 +69,12 @@ def compared(
         missing=tuple(_missing(parts, asked, options)),
         libraries=used,
     )
+
+
+def _tasks(asked: Asked, own: Mapping[str, Paper]) -> list[Task]:
+    """Return the runs of the searches, each with its time limit."""
+    planned = plan(own.values(), asked.repeats)
+    return [_timed(task, asked.timeout) for task in planned if task.algorithm in asked.searches]
 
 
 def _timed(task: Task, timeout: float | None) -> Task:

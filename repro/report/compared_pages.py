@@ -4,6 +4,7 @@ import json
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import asdict, replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -15,7 +16,7 @@ from repro.model.figures import Convergence
 from repro.report.drawings.draw import Drawing, draw, drawing
 from repro.report.drawings.ecdf import ecdf_plot
 from repro.report.drawings.ranks import rank_plot
-from repro.report.files import csv_text
+from repro.report.files import csv_text, write_file
 from repro.report.pages import render
 from repro.report.plain_rows import rows_of_standings
 from repro.report.views.users_search import users_search_view
@@ -51,6 +52,13 @@ def compared_files(found: Comparison, called: str) -> Mapping[str, str]:
         "json": json.dumps(as_json(found), indent=1, ensure_ascii=False, allow_nan=False) + "\n",
         "csv": csv_text([RUN, *([_text(row[name]) for name in RUN] for row in run_rows(found))]),
     }
+
+
+def write_comparison(folder: Path, called: str, found: Comparison) -> Path:
+    """Write a comparison in every form, and return the page's path."""
+    for suffix, text in compared_files(found, called).items():
+        write_file(folder / f"{called}.{suffix}", text)
+    return folder / f"{called}.html"
 
 
 def as_json(found: Comparison) -> dict[str, Any]:
