@@ -56,8 +56,7 @@ def execute(task: Task) -> Record:
             **budget,
         )
         seconds = time.perf_counter() - start
-        drawn = shared.fault() if shared else None
-        reason = drawn or fault(
+        reason = (shared.fault() if shared else None) or fault(
             result,
             given,
             optimiser=task.optimiser,
