@@ -13,10 +13,10 @@ from repro.commands.interrupts import terminable
 from repro.commands.progress import Progress
 from repro.commands.shown_rows import warn
 from repro.errors import SOME_RUN_FAILED, InputError
-from repro.judge.comparison import Asked, Comparison
+from repro.judge.comparison import Asked
 from repro.model.paper import Paper
-from repro.report.compared_pages import compared_files
-from repro.report.files import usable_folder, write_file
+from repro.report.compared_pages import write_comparison
+from repro.report.files import usable_folder
 from repro.runs.workers.local import checked_workers
 
 
@@ -42,7 +42,8 @@ def run(options: Namespace) -> int:
         found = compared(
             asked, papers, options, report, ready=partial(usable_folder, options.reports)
         )
-        page = written(options.reports, found)
+        called = stem(options.reports, list(searches))
+        page = write_comparison(options.reports, called, found)
     for record in found.failed:
         warn(f"run {record.task.name} failed: {record.reason}")
     for warned in found.warnings:
@@ -51,14 +52,6 @@ def run(options: Namespace) -> int:
     for missing in found.missing:
         sys.stdout.write(f"{missing.says}\n")
     return SOME_RUN_FAILED if found.failed else 0
-
-
-def written(folder: Path, found: Comparison) -> Path:
-    """Write the report in every form, and return the page's path."""
-    called = stem(folder, list(found.asked.searches))
-    for suffix, text in compared_files(found, called).items():
-        write_file(folder / f"{called}.{suffix}", text)
-    return folder / f"{called}.html"
 
 
 def _with_protocols(papers: Sequence[Paper]) -> list[Paper]:

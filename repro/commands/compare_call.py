@@ -11,14 +11,14 @@ from typing import TYPE_CHECKING, Any
 
 from repro.commands import catalogue
 from repro.commands.arguments import STORE
-from repro.commands.compare_entrants import check_name
+from repro.commands.compare_entrants import check_name, stem
 from repro.commands.comparing import compared
 from repro.commands.progress import Progress
 from repro.commands.shown_rows import warn
 from repro.errors import InputError
 from repro.judge.comparison import Asked, Comparison
 from repro.optimisers.held_search import entrant_of
-from repro.report.compared_pages import as_json, compared_files
+from repro.report.compared_pages import as_json, compared_files, write_comparison
 from repro.runs.honesty import Warned
 
 if TYPE_CHECKING:
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Result:
+class ComparedResult:
     """What a comparison found; in a notebook it draws itself.
 
     `runs`, `standings` and `tests` are frames with a row a thing, as in `NAME.json` of the command.
@@ -61,10 +61,9 @@ class Result:
 
     def save(self, folder: str | Path) -> Path:
         """Write page, Markdown, JSON and CSV into a folder, and return the page's path."""
-        from repro.commands.compare import written  # noqa: PLC0415 (the command needs more)
-
         Path(folder).mkdir(parents=True, exist_ok=True)
-        return written(Path(folder), self.comparison)
+        called = stem(Path(folder), list(self.comparison.asked.searches))
+        return write_comparison(Path(folder), called, self.comparison)
 
     def _repr_html_(self) -> str:
         """Return the page in a frame of its own, so that its style leaves the notebook alone."""
@@ -86,7 +85,7 @@ def compare(
     workers: int | None = None,
     timeout: float | None = None,
     quiet: bool = False,
-) -> Result:
+) -> ComparedResult:
     """Run a search under the protocols of papers and return where it stands beside the others.
 
     `search` is a callable or an object in any form that `repro compare` knows, its place as text,
@@ -108,7 +107,7 @@ def compare(
         experiments=tuple(experiments), problems=tuple(problems), against=tuple(algorithms),
         runs=runs, repeats=repeats, timeout=timeout,
     )  # fmt: skip
-    return Result(compared(asked, chosen, options, _silent if quiet else _bar()))
+    return ComparedResult(compared(asked, chosen, options, _silent if quiet else _bar()))
 
 
 def _called(search: object) -> str:

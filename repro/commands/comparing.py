@@ -4,6 +4,7 @@ import shlex
 from argparse import Namespace
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 from repro.commands.arguments import STORE
@@ -39,24 +40,14 @@ def compared(
     """Run the searches as far as the store lacks them, make one again, and judge them all.
 
     Options say where and by whom runs are made (`store`, `workers`, `dask`, `called`); `ready` is
-    called before anything is run. Raises
-    InputError for a name that is unknown and a number that cannot be.
+    called before. Raises InputError for a name that is unknown and a number that cannot be.
     """
     own = _protocols(asked, papers)
-    tasks = [
-        _timed(task, asked.timeout)
-        for task in plan(own.values(), asked.repeats)
-        if task.algorithm in asked.searches
-    ]
+    tasks = _tasks(asked, own)
     ready()
-    places = [getattr(search, "place", "") for search in asked.searches.values()]
-    used = libraries(places)
-
-    def environment() -> dict[str, object]:
-        return {**provenance(), "libraries": dict(used)}
-
+    used = libraries(getattr(search, "place", "") for search in asked.searches.values())
     with Store(options.store, say=options.say) as store:
-        failed = run_lacking(store, tasks, options, report, environment)
+        failed = run_lacking(store, tasks, options, report, partial(_environment, used))
         remember(options.store, _noted(asked, own))
         stored = {record.task.key: record for record in store.records(tasks)}
         parts = tuple(
@@ -75,6 +66,17 @@ def compared(
         missing=tuple(_missing(parts, asked, options)),
         libraries=used,
     )
+
+
+def _environment(used: Mapping[str, str]) -> dict[str, object]:
+    """Return the provenance of runs, with the versions of what their searches import."""
+    return {**provenance(), "libraries": dict(used)}
+
+
+def _tasks(asked: Asked, own: Mapping[str, Paper]) -> list[Task]:
+    """Return the runs of the searches, each with its time limit."""
+    planned = plan(own.values(), asked.repeats)
+    return [_timed(task, asked.timeout) for task in planned if task.algorithm in asked.searches]
 
 
 def _timed(task: Task, timeout: float | None) -> Task:

@@ -1,7 +1,6 @@
 """A search that no module has: a function of a notebook's cell, sent to processes by its value."""
 
 import hashlib
-import importlib
 import pickle
 import types
 from collections.abc import Iterator
@@ -45,7 +44,7 @@ def entrant_of(search: Any, name: str) -> Entrant:  # noqa: ANN401 (whatever the
         if load(place) is search:
             return entrant(place)
     try:
-        cloudpickle = importlib.import_module("cloudpickle")
+        import cloudpickle  # type: ignore[import-untyped, unused-ignore]  # noqa: PLC0415
 
         payload = cloudpickle.dumps(search)
     except ImportError:

@@ -88,6 +88,9 @@ def _by_call(found: Any, problem: Problem, budget: Budget) -> Result:  # noqa: A
             meter.judge(point_in(returned, len(meter.bounds)))
     except BudgetSpent:
         pass
+    except Exception:
+        if not meter.overrun:  # what a library makes of being stopped, SystemError in C
+            raise
     if meter.faults:
         raise meter.faults[0]
     return filled(meter.result(), steps)
@@ -143,6 +146,10 @@ def _by_protocol(search: Any, problem: Problem, budget: Budget) -> tuple[Result,
     try:
         result = search.minimise(shown, population=population, evaluations=allowed, rng=rng)
     except BudgetSpent:
+        result = None
+    except Exception:
+        if not meter.overrun:
+            raise
         result = None
     if meter.overrun:
         note = f"it went on after the {allowed} evaluations of a run and was stopped there"

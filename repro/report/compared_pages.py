@@ -4,6 +4,7 @@ import json
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import asdict, replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,7 @@ from repro.model.figures import Convergence
 from repro.report.drawings.draw import Drawing, draw, drawing
 from repro.report.drawings.ecdf import ecdf_plot
 from repro.report.drawings.ranks import rank_plot
+from repro.report.files import write_file
 from repro.report.frames import csv_text
 from repro.report.pages import render
 from repro.report.plain_rows import rows_of_standings
@@ -52,6 +54,13 @@ def compared_files(found: Comparison, called: str) -> Mapping[str, str]:
         "json": json.dumps(as_json(found), indent=1, ensure_ascii=False, allow_nan=False) + "\n",
         "csv": csv_text(pd.DataFrame(run_rows(found), columns=list(RUN))),
     }
+
+
+def write_comparison(folder: Path, called: str, found: Comparison) -> Path:
+    """Write a comparison in every form, and return the page's path."""
+    for suffix, text in compared_files(found, called).items():
+        write_file(folder / f"{called}.{suffix}", text)
+    return folder / f"{called}.html"
 
 
 def as_json(found: Comparison) -> dict[str, Any]:

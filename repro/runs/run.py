@@ -51,9 +51,7 @@ def execute(task: Task) -> Record:
         prepare(task)
         start = time.perf_counter()
         plain = holds_interpreter(task)
-        # compiled code cannot reach them, and an entrant's are seeded by its run
-        watched = plain and not getattr(task.optimiser, "seeds_shared", False)
-        shared = GlobalDraws() if watched else None
+        shared = _watched(task) if plain else None  # compiled code cannot reach them
         budget = _budget(task)
         result, given = conduct(
             fresh(task.optimiser) if plain else task.optimiser,
@@ -63,8 +61,7 @@ def execute(task: Task) -> Record:
             **budget,
         )
         seconds = time.perf_counter() - start
-        drawn = shared.fault() if shared else None
-        reason = drawn or fault(
+        reason = (shared.fault() if shared else None) or fault(
             result,
             given,
             optimiser=task.optimiser,
@@ -84,6 +81,11 @@ def execute(task: Task) -> Record:
         evaluations=result.evaluations,
         seconds=seconds,
     )
+
+
+def _watched(task: Task) -> GlobalDraws | None:
+    """Return the shared generators, as they are; None where a run may draw from them."""
+    return None if getattr(task.optimiser, "seeds_shared", False) else GlobalDraws()
 
 
 def prepare(task: Task) -> None:

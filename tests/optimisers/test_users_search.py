@@ -166,3 +166,15 @@ def test_cost_of_a_coordinate_without_width_is_asked_for_as_any_other() -> None:
     problem: Any = small("slope", box=((-3.0, 7.0), (2.5, 2.5), (2.0, 4.0)))
 
     assert run("sample", problem).x[1] == 2.5
+
+
+def test_library_that_turns_the_stop_into_an_error_is_stopped_all_the_same(folder: Path) -> None:
+    (folder / "searches.py").write_text("""
+def wrapped(cost, bounds, budget, rng):
+    try:
+        while True: cost(rng.uniform(*bounds.T))
+    except BaseException as stop:
+        raise SystemError("returned a result with an exception set") from stop
+""")
+
+    assert run("wrapped").evaluations == 200
