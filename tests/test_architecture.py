@@ -141,6 +141,7 @@ def test_command_line_alone_imports_by_name_and_commands_alone() -> None:
     ]
 
     assert sorted(by_name) == [
+        (Path("repro/__init__.py"), "_LATE[name]"),  # what is loaded when it is asked for
         (Path("repro/__main__.py"), "f'repro.commands.{options.command}'"),
         (Path("repro/commands/paper_modules.py"), "name"),  # the user's paper
         (Path("repro/functions/__init__.py"), "f'{__name__}.{info.name}'"),  # files of its folder

@@ -19,6 +19,7 @@ from repro.judge.verdict import Verdict
 from repro.model.figures import Arm, Figure
 from repro.model.identifiers import anchor
 from repro.model.measures.measure import TABLES
+from repro.model.paper import Paper
 from repro.report.calibration import calibration
 from repro.report.drawings.arm_viewer import viewer
 from repro.report.drawings.draw import Drawing, draw
@@ -44,7 +45,7 @@ from repro.report.run_files import packed_runs, place_of_runs
 from repro.report.verdict_pages import VERDICTS, verdict_context
 from repro.report.views.baselines import standings_view
 from repro.report.views.calibration import truthful
-from repro.report.views.findings import everything, table_view, tallies
+from repro.report.views.findings import Shown, everything, table_view, tallies
 from repro.report.views.heat_map import heat_map
 from repro.report.views.readings import readings_view, ruled_out_by, settings_of
 from repro.report.views.runs import runs_view
@@ -106,8 +107,6 @@ def _paper_files(judgement: Judgement, master_seed: str, files: Files, called: s
     calibrated = calibration()["rows"]
     runs = runs_view(judgement)
     found = everything(judgement.findings, judgement.audit, settings_of(paper), ruled_out_by(paper))
-    cells = {(s.finding.table, s.finding.row, s.finding.column): s for s in found}
-    results = [table_view(table, cells) for table in paper.results]
     times = zip(judgement.certificates, judgement.found_times, strict=True)
     context = {
         "paper": paper,
@@ -118,11 +117,7 @@ def _paper_files(judgement: Judgement, master_seed: str, files: Files, called: s
         "truthful": truthful(judgement, calibrated),
         "not_calibrated": not calibrated,
         "tallies": tallies(found),
-        "results": results,
-        "maps": [heat_map(table) for table in results if table.judged],
-        "inputs": [table_view(table, {}) for table in paper.tables if table not in paper.results],
-        "sentences": [s for s in found if s.finding.claim],
-        "everything": found,
+        **_printed(paper, found),
         **runs.context(),
         "audit": judgement.audit,
         "alone": [
@@ -140,6 +135,19 @@ def _paper_files(judgement: Judgement, master_seed: str, files: Files, called: s
     files[f"{paper.key}.md"] = render("paper.md", context)
     files |= _data(judgement, entry, drawings) | runs.files(paper.key)
     return entry
+
+
+def _printed(paper: Paper, found: Sequence[Shown]) -> dict[str, object]:
+    """Return what is printed, in tables and in sentences, with what is said of it."""
+    cells = {(s.finding.table, s.finding.row, s.finding.column): s for s in found}
+    results = [table_view(table, cells) for table in paper.results]
+    return {
+        "results": results,
+        "maps": [heat_map(table) for table in results if table.judged],
+        "inputs": [table_view(table, {}) for table in paper.tables if table not in paper.results],
+        "sentences": [s for s in found if s.finding.claim],
+        "everything": found,
+    }
 
 
 def _drawings(judgement: Judgement) -> list[Drawing]:

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from repro.determinism.plain_costs import releases_interpreter
-from repro.optimisers.search import HoldsInterpreter, hands_to_search
+from repro.optimisers.search import HoldsInterpreter, Result, hands_to_search
 from repro.runs.apart import GlobalDraws, fresh
 from repro.runs.plan import Task
 from repro.runs.rules import conduct, fault
@@ -50,25 +50,7 @@ def execute(task: Task) -> Record:
     try:
         prepare(task)
         start = time.perf_counter()
-        plain = holds_interpreter(task)
-        shared = _watched(task) if plain else None  # compiled code cannot reach them
-        budget = _budget(task)
-        result, given = conduct(
-            fresh(task.optimiser) if plain else task.optimiser,
-            fresh(task.subject) if plain else task.subject,
-            task.stream,
-            population=task.population,
-            **budget,
-        )
-        seconds = time.perf_counter() - start
-        reason = (shared.fault() if shared else None) or fault(
-            result,
-            given,
-            optimiser=task.optimiser,
-            population=task.population,
-            iterations=budget.get("iterations"),
-            evaluations=task.evaluations,
-        )
+        result, reason, seconds = _made(task)
     except (Exception, SystemExit) as error:  # noqa: BLE001 (one run's fault costs no other)
         return failed(task, _told(error), time.perf_counter() - start)
     if reason:
@@ -81,6 +63,31 @@ def execute(task: Task) -> Record:
         evaluations=result.evaluations,
         seconds=seconds,
     )
+
+
+def _made(task: Task) -> tuple[Result, str | None, float]:
+    """Return what a search found, what is wrong with it, and how many seconds it took."""
+    start = time.perf_counter()
+    plain = holds_interpreter(task)
+    shared = _watched(task) if plain else None  # compiled code cannot reach them
+    budget = _budget(task)
+    result, given = conduct(
+        fresh(task.optimiser) if plain else task.optimiser,
+        fresh(task.subject) if plain else task.subject,
+        task.stream,
+        population=task.population,
+        **budget,
+    )
+    seconds = time.perf_counter() - start
+    reason = (shared.fault() if shared else None) or fault(
+        result,
+        given,
+        optimiser=task.optimiser,
+        population=task.population,
+        iterations=budget.get("iterations"),
+        evaluations=task.evaluations,
+    )
+    return result, reason, seconds
 
 
 def _watched(task: Task) -> GlobalDraws | None:
