@@ -46,7 +46,7 @@ def execute(task: Task) -> Record:
         prepare(task)
         start = time.perf_counter()
         plain = holds_interpreter(task)
-        shared = _watched(task) if plain else None  # compiled code cannot reach them
+        shared = _watched(task) if plain else None
         budget = _budget(task)
         result, given = conduct(
             fresh(task.optimiser) if plain else task.optimiser,
@@ -69,17 +69,16 @@ def execute(task: Task) -> Record:
     if reason:
         return failed(task, reason, seconds)
     return Record(
-        task=task,
-        cost=result.cost,
-        x=result.x,
-        history=result.history,
-        evaluations=result.evaluations,
-        seconds=seconds,
-    )
+        task=task, cost=result.cost, x=result.x, history=result.history,
+        evaluations=result.evaluations, seconds=seconds,
+    )  # fmt: skip
 
 
 def _watched(task: Task) -> GlobalDraws | None:
-    """Return the shared generators, as they are; None where a run may draw from them."""
+    """Return the shared generators, as they are; None where a run may draw from them.
+
+    Compiled code cannot reach them and is not asked.
+    """
     return None if getattr(task.optimiser, "seeds_shared", False) else GlobalDraws()
 
 
