@@ -169,8 +169,11 @@ DECLARATIONS: dict[str, tuple[Callable[[], object], str]] = {
         ),
         "needs either a measure or a Gap",
     ),
-    "one waypoint": (lambda: motion(waypoints=((0.0,),)), "disagree on the number of joints"),
-    "joints disagree": (lambda: motion(velocity=(1.0, 2.0)), "number of joints: [1, 2]"),
+    "one waypoint": (lambda: motion(waypoints=((0.0,),)), "a motion needs two or more, not 1"),
+    "joints disagree": (
+        lambda: motion(velocity=(1.0, 2.0)),
+        "number of joints: waypoints have 1, velocity has 2",
+    ),
     "endless waypoint": (lambda: motion(waypoints=((0.0,), (np.inf,))), "must be finite angles"),
     "limit of zero": (lambda: motion(velocity=(0.0,)), "limits must be above 0 and finite"),
     "negative limit": (lambda: motion(acceleration=(-1.0,)), "limits must be above 0 and finite"),

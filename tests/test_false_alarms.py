@@ -12,7 +12,9 @@ def test_no_true_table_is_accused_under_no_condition_or_under_one_that_it_meets(
 
     assert sum(count[kind, "tables"] for kind in KINDS) == 400
     for kind in KINDS:
-        assert count[kind, "checked"] > 0.9 * count[kind, "numbers"] > 0
+        # of means alone, as some stand beside tallies, nothing follows
+        least = 0.3 if kind == "tallies" else 0.9
+        assert count[kind, "checked"] > least * count[kind, "numbers"] > 0
         outcomes = ("impossible", "inconsistent", "condition met")
         assert [count[kind, outcome] for outcome in outcomes] == [0, 0, 0]
 
