@@ -234,7 +234,7 @@ def bare_table(table: PublishedTable, rows: Iterable[AuditRow]) -> Table:
     marked = {
         place[1:]: own for place, own in marks_by_cell(rows).items() if place[0] == table.label
     }
-    marks = {
+    marks: dict[Place, Bare] = {
         (table.label, *place): Bare(printed=table[place].text, marks=tuple(marked[place]))
         for place in table.places()
         if place in marked
