@@ -8,13 +8,14 @@ from repro.commands import catalogue
 from repro.errors import SOME_RUN_FAILED
 from repro.model.contract import contract_faults, house_notes
 from repro.model.functions_tried import bound_faults
+from repro.runs.reading_checks import reading_plan_faults
 
 
 def run(options: Namespace) -> int:
     """Print a line a fault; exit code 1 where a paper does what none may."""
     faults = 0
     for paper in catalogue.chosen(options):
-        found = (*contract_faults(paper), *bound_faults(paper))
+        found = (*contract_faults(paper), *bound_faults(paper), *reading_plan_faults(paper))
         faults += len(found)
         sys.stdout.writelines(_lines(paper.key, found, tuple(house_notes(paper))))
     return SOME_RUN_FAILED if faults else 0

@@ -113,7 +113,10 @@ def _check_roles(
     given: tuple[Role, ...],
 ) -> None:
     if unknown := [role for role in (*rows, *columns, *given) if role not in get_args(Role)]:
-        message = f"{table.label}: no role {unknown[0]!r}; there is {', '.join(get_args(Role))}"
+        message = (
+            f"{table.label}: no role {unknown[0]!r}; there is {', '.join(get_args(Role))}, and "
+            "headings of one role name one thing together, as 'F1 30' for ('problem', 'problem')"
+        )
         raise DeclarationError(message)
     if len(rows) != len(table.headings):
         message = f"{table.label} has the row headings {table.headings}, not one per {rows}"

@@ -45,7 +45,7 @@ from repro.report.run_files import packed_runs, place_of_runs
 from repro.report.verdict_pages import VERDICTS, verdict_context
 from repro.report.views.baselines import standings_view
 from repro.report.views.calibration import truthful
-from repro.report.views.findings import Shown, everything, table_view, tallies
+from repro.report.views.findings import Shown, bare_table, everything, table_view, tallies
 from repro.report.views.heat_map import heat_map
 from repro.report.views.readings import readings_view, ruled_out_by, settings_of
 from repro.report.views.runs import runs_view
@@ -62,6 +62,7 @@ from repro.report.words import (
     number,
 )
 from repro.tables.audit_words import read_lines, read_words
+from repro.tables.rows import AuditRow
 
 Files = dict[str, str | bytes]
 ANOTHER_SEED = "another-seed.json"
@@ -89,12 +90,15 @@ def write_report(
     for judgement in judgements:
         key = judgement.paper.key
         entries.append(_paper_files(judgement, master_seed, files, called.get(key, "")))
-        made[key] = provenance_entry(judgement, environments.get(key, []))
+        made[key] = provenance_entry(judgement, environments.get(key, []), called.get(key, ""))
     results = merged(entries, read_results(folder / "results.json"), known)
     files["results.json"] = results_text(results)
     kept = [entry["key"] for entry in results["papers"]]
-    files[PROVENANCE] = results_text(merged_provenance(made, read_json(folder / PROVENANCE), kept))
-    files |= index_files(results, read_json(folder / ANOTHER_SEED), called) | verdict_files()
+    provenance = merged_provenance(made, read_json(folder / PROVENANCE), kept)
+    files[PROVENANCE] = results_text(provenance)
+    # pages of papers that were made by another call stay, and so does what those are called
+    all_called = {key: each.get("called", "") for key, each in provenance["papers"].items()}
+    files |= index_files(results, read_json(folder / ANOTHER_SEED), all_called) | verdict_files()
     for name, content in files.items():
         write_file(folder / name, content)
     return results
@@ -117,7 +121,7 @@ def _paper_files(judgement: Judgement, master_seed: str, files: Files, called: s
         "truthful": truthful(judgement, calibrated),
         "not_calibrated": not calibrated,
         "tallies": tallies(found),
-        **_printed(paper, found),
+        **_printed(paper, found, judgement.audit),
         **runs.context(),
         "audit": judgement.audit,
         "alone": [
@@ -137,14 +141,15 @@ def _paper_files(judgement: Judgement, master_seed: str, files: Files, called: s
     return entry
 
 
-def _printed(paper: Paper, found: Sequence[Shown]) -> dict[str, object]:
+def _printed(paper: Paper, found: Sequence[Shown], audit: Sequence[AuditRow]) -> dict[str, object]:
     """Return what is printed, in tables and in sentences, with what is said of it."""
     cells = {(s.finding.table, s.finding.row, s.finding.column): s for s in found}
     results = [table_view(table, cells) for table in paper.results]
     return {
         "results": results,
         "maps": [heat_map(table) for table in results if table.judged],
-        "inputs": [table_view(table, {}) for table in paper.tables if table not in paper.results],
+        "unrun": [bare_table(each.table, audit) for each in paper.audited],
+        "inputs": [table_view(table, {}) for table in paper.inputs],
         "sentences": [s for s in found if s.finding.claim],
         "everything": found,
     }
@@ -194,7 +199,7 @@ def index_files(
     """Return the index pages and the table of verdicts alone.
 
     `another_seed` is what `repro flips --json` said of these results and those of another seed;
-    `called` are the papers that are not of this checkout.
+    `called` says what papers that are not of this checkout are called at the command line.
     """
     # controls first, as they say what the others' verdicts are worth
     papers = sorted(results["papers"], key=lambda paper: not paper["control"])
@@ -216,8 +221,9 @@ def index_files(
 def _all_again(papers: Sequence[Json], called: Mapping[str, str]) -> str:
     """Return what to type to have all these pages again."""
     repeats = str(max((1, *(paper["provenance"]["repeats"] for paper in papers))))
-    if called and all(paper["key"] in called for paper in papers):
-        given = ("repro", "reproduce", *dict.fromkeys(called.values()))
+    if any(called.values()):
+        names = (called.get(paper["key"]) or paper["key"] for paper in papers)
+        given = ("repro", "reproduce", *dict.fromkeys(names))
     else:
         given = ("nox", "-s", "reproduce", "--")
     return shlex.join((*given, "--repeats", repeats))

@@ -97,12 +97,14 @@ def merged(fresh: Iterable[Json], old: Json | None, order: Iterable[str]) -> Jso
     }
 
 
-def provenance_entry(judgement: Judgement, environments: Environments) -> Json:
+def provenance_entry(judgement: Judgement, environments: Environments, called: str = "") -> Json:
     """Return what differs between equal runs: where, when and how fast they were made.
 
-    `seconds` are the median of a run, by experiment, problem, algorithm and kind of run.
+    `seconds` are the median of a run, by experiment, problem, algorithm and kind of run; `called`
+    is what a paper from elsewhere than this checkout is called at the command line.
     """
     return {
+        **({"called": called} if called else {}),
         "environments": environments,
         "seconds": [
             {

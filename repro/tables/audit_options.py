@@ -46,12 +46,21 @@ class AuditOptions:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Guess:
-    """What is taken for granted: a line, and the option that overrides it with its value now."""
+    """What is taken for granted: a line, and the option that overrides it with its value now.
+
+    What was `told` is no guess; it stands in the list for the option that changes it.
+    """
 
     says: str
     option: str = ""
     value: str = ""
     choices: tuple[str, ...] = ()
+    told: bool = False
+
+    @property
+    def kind(self) -> str:
+        """What the line is, in a word."""
+        return "told" if self.told else "guess"
 
 
 def option_faults(given: Mapping[str, Any]) -> Iterator[str]:

@@ -46,10 +46,10 @@ def lines(table: AuditedTable) -> Iterator[str]:
 
 
 def read_lines(table: AuditedTable, *, flag: str = "--") -> Iterator[str]:
-    """Yield the guesses, each with the option that overrides it, and what was skipped."""
+    """Yield what is told and guessed, each with its option, and what was skipped."""
     for guess in table.guesses:
         option = f" ({flag}{guess.option})" if guess.option else ""
-        yield f"  guess: {guess.says}{option}"
+        yield f"  {guess.kind}: {guess.says}{option}"
     reasons = Counter(each.because for each in table.skipped)
     for because, times in reasons.most_common(_SKIPPED_SHOWN):
         first = next(each for each in table.skipped if each.because == because)

@@ -67,7 +67,7 @@ class AuditedTable:
         read = {
             "cells": self.cells,
             "skipped": [asdict(each) for each in self.skipped],
-            "guesses": [guess.says for guess in self.guesses],
+            "guesses": [guess.says for guess in self.guesses if not guess.told],
         }
         return {"file": self.file, "read": read, "rows": [asdict(row) for row in self.rows]}
 

@@ -20,7 +20,7 @@ def guessed_runs(
 ) -> tuple[int | None, Guess | None]:
     """Return the number of runs with where it is from; None where nothing or too much tells it."""
     if options.runs is not None:
-        return options.runs, Guess(says=f"n = {options.runs} as told", option="runs")
+        return options.runs, Guess(says=f"n = {options.runs} as told", option="runs", told=True)
     for found, place in (
         (runs_in(table.text), "the caption"),
         (_counted(table), "a column"),
@@ -65,7 +65,7 @@ def guess_lines(table: Gathered, options: AuditOptions, checked: Container[int])
     if values:
         yield Guess(says=f"no heading names a statistic for {values} numbers: they are not checked")
     if options.significant is not None:
-        yield Guess(says=_rounded(table, options.significant), option="significant")
+        yield Guess(says=_rounded(table, options.significant), option="significant", told=True)
 
 
 def spread_lines(table: Gathered, options: AuditOptions) -> Iterator[Guess]:
@@ -104,7 +104,7 @@ def sense_lines(found: Sequence[ReadBlock], options: AuditOptions) -> Iterator[G
     """Yield which end of the runs is taken for the best one, and of which problems."""
     if options.maximise is not None:
         sense = "maximisation" if options.maximise else "minimisation"
-        yield Guess(says=f"{sense} as told", option="maximise")
+        yield Guess(says=f"{sense} as told", option="maximise", told=True)
         return
     greatest = [each.block for each in found if each.block.maximise]
     says = "minimisation"

@@ -181,7 +181,7 @@ def test_what_was_read_and_guessed_is_printed_and_stands_on_the_page(
     read = "page2020, Table 1: checked 10 of 10 numbers in 2 blocks; 0 skipped; n = 10 as told"
     assert codes == [0, 0]
     assert "impossible: page2020, Table 1, F1 Std, Walk: 10 runs with best 1.106E+00" in out
-    assert f"{read}\n  guess: n = 10 as told (runs)\n" in out
+    assert f"{read}\n  told: n = 10 as told (runs)\n" in out
     for page in ("page2020.html", "page2020.md"):
         text = (tmp_path / "reports" / page).read_text(encoding="utf-8")
         assert read in text

@@ -53,6 +53,7 @@ def test_json_has_one_object_a_table(table: Path, capsys: pytest.CaptureFixture[
     assert first == second
     assert set(first) == {"file", "read", "rows"}
     assert set(first["read"]) == {"cells", "skipped", "guesses"}
+    assert not [says for says in first["read"]["guesses"] if "told" in says]
     (row,) = first["rows"]
     assert (row["check"], row["row"], row["column"]) == ("mean-bound", "F2 WOA", "Mean")
     assert (row["grade"], row["condition"]) == ("impossible", None)

@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from repro.__main__ import main
+from repro.model.assumptions import Alternative, Assumption
 from tests.small_papers import CLAIMS, PAPER, let_be_known
 
 Run = Callable[..., tuple[int, str, str]]
@@ -87,3 +88,19 @@ def test_check_tells_a_caption_of_other_runs_than_the_experiment_has(
             "  fault: Table 1: its caption tells 20 runs, experiment 'search' has 3",
         ],
     )
+
+
+def test_check_builds_what_each_reading_has_run(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    reading = Alternative(
+        says="wider", name="wider", algorithms={("search", "wide"): {"width": 4.0}}
+    )
+    assumption = Assumption(
+        what="width", chosen="as is", alternatives=(reading,), because="it is", where="p. 3"
+    )
+    let_be_known(monkeypatch, replace(PAPER, assumptions=(assumption,)))
+
+    code, out, _ = run("check", PAPER.key)
+
+    assert (code, out.count("fault: ")) == (1, 1)
+    assert "reading 'wider', experiment 'search'" in out
+    assert "nothing that decides its runs is changed" in out

@@ -1,5 +1,6 @@
 """What commands say of a paper that runs nothing."""
 
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -132,3 +133,45 @@ def test_again_says_why_there_is_nothing_to_run(capsys: pytest.CaptureFixture[st
     assert told(capsys, "again", "partly2020", "table-1-bowl-std-wide") == (
         2, [], ["repro: table-1-bowl-std-wide cannot be run: its steps are not printed"],
     )  # fmt: skip
+
+
+def test_pages_show_the_tables_that_no_run_stands_behind_and_nothing_that_is_empty(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    wide = "Table 1, p. 3 (3 runs)\nproblem || best | mean | std\nF1 || 1.5 | 1.2 | 0.1"
+    alone = TableAlone(table=PublishedTable.read(wide), maximise=False)
+    let_be_known(monkeypatch, replace(ALONE, audited=(alone,)))
+
+    assert told(capsys, "reproduce", "alone2020", "--repeats", "1")[0] == 0
+    html, markdown = (
+        Path(f"reports/alone2020.{suffix}").read_text(encoding="utf-8") for suffix in ("html", "md")
+    )
+    index = Path("reports/index.html").read_text(encoding="utf-8")
+    assert '<td>1.2<a class="mark impossible"' in html
+    assert "<td>0.1</td>" in html
+    assert "| F1 | 1.5 | 1.2<br>⚑ impossible | 0.1 |" in markdown
+    for page in (html, index):
+        assert '<div class="bar"' not in page
+        assert '<ul class="counts">' not in page
+    for absent in ('id="tools"', "numbers and claims shown", "<legend>"):
+        assert absent not in html
+
+
+def test_the_index_of_two_calls_names_what_both_papers_are_called(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.undo()  # papers of files, not those that are let be known
+    monkeypatch.chdir(tmp_path)
+    for key in ("first2020", "second2020"):
+        text = (
+            "from repro.model import Paper, Source\n"
+            f"PAPER = Paper(key={key!r}, source=Source(authors='N', title='T'), summary='S.')\n"
+        )
+        Path(f"{key}.py").write_text(text, encoding="utf-8")
+        assert told(capsys, "reproduce", f"./{key}.py", "--repeats", "1")[0] == 0
+
+    for suffix in ("html", "md"):
+        page = Path(f"reports/index.{suffix}").read_text(encoding="utf-8")
+        (called,) = re.findall(r"repro reproduce (\S+) (\S+) --repeats 1\b", page)
+        assert set(called) == {"./first2020.py", "./second2020.py"}
+        assert "nox" not in page

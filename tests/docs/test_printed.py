@@ -6,7 +6,11 @@ from pathlib import Path
 import pytest
 
 import repro.model
+from repro.functions import FUNCTIONS
 from repro.model.cell_measures import is_printable
+from repro.model.experiment import Experiment
+from repro.optimisers import WOA
+from repro.optimisers.random_search import RandomSearch
 from repro.statistics.summary import STATISTICS
 from repro.tables.published import PublishedTable
 
@@ -34,9 +38,32 @@ def test_every_relation_and_measure_of_the_page_can_be_imported(name: str) -> No
 
 
 def test_table_of_the_page_is_read() -> None:
-    drawn = "\n".join(re.findall(r"^    (.+\|\|.+)$", PAGE, flags=re.MULTILINE))
+    part = PAGE.partition("## Units")[2]
+    drawn = "\n".join(re.findall(r"^    (.+\|\|.+)$", part, flags=re.MULTILINE))
 
     table = PublishedTable.read(f"Table 1\n{drawn}")
 
     assert table["time std", "WOA"].si == pytest.approx(4e-4)
     assert table.row_names[-1] == "successes"
+
+
+def test_headings_under_others_are_read_as_the_page_says() -> None:
+    part = PAGE.partition("Headings that stand under others")[2]
+    drawn = "\n".join(
+        re.findall(r"^      (.*\|\|.+)$", part.partition("- Two headings")[0], flags=re.MULTILINE)
+    )
+    (call,) = re.findall(r"`(every_cell\(.+?\)\))`", part)
+    table = PublishedTable.read(f"Table 1\n{drawn}")
+    searches = {"WOA": WOA(), "Walk": RandomSearch()}
+    test = Experiment(
+        name="test", where="p. 1", proposed="WOA", problems={"F1": FUNCTIONS["sphere"].problem(5)},
+        algorithms=searches, population=10, iterations=40, runs=10,
+    )  # fmt: skip
+
+    claims = eval(call, vars(repro.model) | {"COSTS": table, "TEST": test})  # noqa: S307
+
+    assert [(claim.column, claim.printed.text) for claim in claims] == [
+        ("WOA best", "1.7e-04"), ("WOA mean", "2.0e-01"),
+        ("Walk best", "1.1e+00"), ("Walk mean", "1.0e+01"),
+    ]  # fmt: skip
+    assert [claim.measure.statistic for claim in claims] == ["best", "mean"] * 2

@@ -98,15 +98,23 @@ class Tally:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Bare:
+    """A printed number that is not judged, with the rows of the audit that concern it."""
+
+    printed: str
+    marks: tuple[AuditRow, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Table:
-    """A printed table with the reproduced one beside it; an input has texts and no findings."""
+    """A printed table with the reproduced one beside it; one that is not judged has no findings."""
 
     label: str
     where: str
     anchor: str
     headings: tuple[str, ...]
     columns: tuple[str, ...]
-    rows: tuple[tuple[tuple[str, ...], tuple[Shown | str, ...]], ...]
+    rows: tuple[tuple[tuple[str, ...], tuple[Shown | Bare | str, ...]], ...]
     judged: bool
 
 
@@ -221,7 +229,20 @@ def marks_by_cell(rows: Iterable[AuditRow]) -> dict[Place, list[AuditRow]]:
     return marks
 
 
-def table_view(table: PublishedTable, found: Mapping[Place, Shown]) -> Table:
+def bare_table(table: PublishedTable, rows: Iterable[AuditRow]) -> Table:
+    """Return a printed table that no run stands behind, with the audit rows on its cells."""
+    marked = {
+        place[1:]: own for place, own in marks_by_cell(rows).items() if place[0] == table.label
+    }
+    marks: dict[Place, Bare] = {
+        (table.label, *place): Bare(printed=table[place].text, marks=tuple(marked[place]))
+        for place in table.places()
+        if place in marked
+    }
+    return replace(table_view(table, marks), judged=False)
+
+
+def table_view(table: PublishedTable, found: Mapping[Place, Shown] | Mapping[Place, Bare]) -> Table:
     """Return a printed table; cells that no finding concerns show their text."""
     rows = []
     units = table.row_units or ("",) * len(table.rows)

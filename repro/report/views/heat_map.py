@@ -45,7 +45,7 @@ def heat_map(table: Table) -> HeatMap:
         headings=table.headings,
         columns=table.columns,
         rows=tuple(
-            (headings, tuple(None if isinstance(cell, str) else _square(cell) for cell in cells))
+            (headings, tuple(_square(cell) if isinstance(cell, Shown) else None for cell in cells))
             for headings, cells in table.rows
         ),
         one_sided=tuple(_one_sided(table)),
@@ -100,7 +100,7 @@ def _one_sided(table: Table) -> Iterable[str]:
     sides = defaultdict(list)
     for _, cells in table.rows:
         for column, cell in zip(table.columns, cells, strict=True):
-            if isinstance(cell, str) or cell.finding.value is None or cell.order is None:
+            if not isinstance(cell, Shown) or cell.finding.value is None or cell.order is None:
                 continue
             low, high = cell.finding.accepted
             value = cell.finding.value
