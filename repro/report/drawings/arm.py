@@ -224,7 +224,7 @@ def _floor(eye: Eye) -> Vector:
 
 def _description(motions: Sequence[Moving], stops: Sequence[Skeleton]) -> str:
     places = "; ".join(
-        f"{index + 1} at ({', '.join(f'{value:.3f}' for value in stop.corners[-1])})"
+        f"{index + 1} at ({', '.join(f'{value:.3f}' for value in stop.corners[-1].round(3) + 0.0)})"
         for index, stop in enumerate(stops)
     )
     told = "; ".join(
