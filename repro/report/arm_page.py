@@ -35,5 +35,5 @@ def arm_drawing(
 
 
 def arm_page(title: str, drawings: Sequence[Drawing], *, says: Sequence[str] = ()) -> str:
-    """Return a whole HTML page with what is said, a line each, and drawings, live where an arm is."""
+    """Return a whole HTML page: what is said, a line each, and drawings, an arm live."""
     return render("arm.html", {"title": title, "drawings": tuple(drawings), "says": tuple(says)})
