@@ -8,7 +8,14 @@ from pathlib import Path
 from typing import Any, get_args
 
 from repro.commands.motion_robots import Robot, robot_of
-from repro.commands.motion_values import Faulty, check_keys, pairs, row_of_numbers, text
+from repro.commands.motion_values import (
+    Faulty,
+    check_keys,
+    check_sizes,
+    pairs,
+    row_of_numbers,
+    text,
+)
 from repro.errors import InputError, ReproError
 from repro.robotics import MinimumTime, MinimumTimeSpline, RestToRestLaw
 from repro.robotics.bsplines import Ends
@@ -76,6 +83,7 @@ def read_motion(path: Path) -> MotionFile:
 def motion_of(given: Mapping[str, Any], *, folder: Path, called: str) -> MotionFile:
     """Return the motion that a file's content declares."""
     check_keys(given, KEYS)
+    check_sizes(given)
     unit = text(given, "unit", default=None, known=("deg", "rad"))
     points = _points(given)
     joints = len(points[0])
@@ -88,7 +96,7 @@ def motion_of(given: Mapping[str, Any], *, folder: Path, called: str) -> MotionF
     else:
         problem = _polynomials(given, points, limits, degree)
     return MotionFile(
-        title=text(given, "title", default=called),
+        title=" ".join(text(given, "title", default=called).split()) or called,
         units=tuple("m" if kind == "prismatic" else unit for kind in kinds),
         names=robot.names if robot else tuple(f"joint_{k + 1}" for k in range(joints)),
         problem=problem,
@@ -106,8 +114,11 @@ def _points(given: Mapping[str, Any]) -> Rows:
         message = f"waypoints: a motion needs two or more, not {len(points)}"
         raise Faulty(message)
     counts = [len(point) for point in points]
+    if not counts[0]:
+        message = "waypoints, row 1: there is no number; a row has one per joint"
+        raise Faulty(message)
     for k, count in enumerate(counts, start=1):
-        if count != counts[0] or not count:
+        if count != counts[0]:
             message = f"waypoints, row {k}: {count} numbers where row 1 has {counts[0]}"
             raise Faulty(message)
     return points
@@ -155,11 +166,10 @@ def _limits(given: Mapping[str, Any], joints: int, robot: Robot | None) -> dict[
 def _box(given: Mapping[str, Any]) -> tuple[float, float]:
     if "durations" not in given:
         return FREE
-    box = numbers(given["durations"], called="durations")
+    own = given["durations"]
+    box = numbers(own, called="durations") if isinstance(own, list) else ()
     if len(box) != 2 or not 0.0 < box[0] <= box[1] < math.inf:
-        message = (
-            f"durations: {given['durations']!r} must be [shortest, longest] in s, 0 < shortest"
-        )
+        message = f"durations: {own!r:.60} must be [shortest, longest] in s, 0 < shortest"
         raise Faulty(message)
     return box[0], box[1]
 

@@ -2,11 +2,13 @@
 
 import difflib
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from repro.errors import InputError
 from repro.robotics.motion_checks import Rows, numbers, rows
+
+LARGEST = 1e100  # of any number of a file, in its unit
 
 
 class Faulty(InputError):  # noqa: N818 (a fault of a file, not of the program)
@@ -22,6 +24,27 @@ def check_keys(given: Iterable[str], known: Iterable[str]) -> None:
             meant = f", {near[0]!r} perhaps" if near else ""
             message = f"unknown key {key!r}{meant}; known are {', '.join(known)}"
             raise Faulty(message)
+
+
+def check_sizes(given: Mapping[str, Any]) -> None:
+    """Raise Faulty for a number so large or so near to 0 that products of it are no doubles."""
+    for key, value in given.items():
+        for number in _numbers_in(value):
+            if number and not 1.0 / LARGEST <= abs(number) <= LARGEST:
+                shown = repr(number) if isinstance(number, float) else "a whole number"
+                message = (
+                    f"{key}: {shown} is beyond what is computed: 0, or from {1.0 / LARGEST:g} to "
+                    f"{LARGEST:g} in size"
+                )
+                raise Faulty(message)
+
+
+def _numbers_in(value: object) -> Iterator[int | float]:
+    if isinstance(value, list):
+        for entry in value:
+            yield from _numbers_in(entry)
+    elif isinstance(value, int) or (isinstance(value, float) and math.isfinite(value)):
+        yield value
 
 
 def text(
@@ -82,7 +105,8 @@ def pairs(given: Mapping[str, Any], key: str, joints: int) -> Rows | None:
 
 def _check_pair(key: str, joint: int, pair: tuple[float, ...], given: object) -> None:
     if len(pair) != 2 or not all(map(math.isfinite, pair)):
-        message = f"{key} of joint {joint}: {given!r:.60} is not two finite numbers, low and high"
+        meant = "two finite numbers, low and high" if isinstance(given, list) else "a finite number"
+        message = f"{key} of joint {joint}: {given!r:.60} is not {meant}"
         raise Faulty(message)
     low, high = pair
     if key == "range" and not low < high:

@@ -1,25 +1,28 @@
 """A motion of a user's own as files: samples for a controller, and a page with drawings."""
 
-import json
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import asdict
 from typing import Any
 
 import numpy as np
-from jinja2 import Environment, PackageLoader, StrictUndefined
-from markupsafe import Markup
 from numpy.typing import NDArray
 
 from repro.judge.own_motion import OwnResult
-from repro.report.drawings.own_arm import still
-from repro.report.drawings.own_motion import joint_plots
-from repro.report.drawings.style import drawing_style
-from repro.report.drawings.svg import inline_svg
+from repro.report.arm_page import arm_drawing, arm_page
+from repro.report.drawings.arm_motion import SAMPLES, Moving
+from repro.report.drawings.chain_postures import postures
+from repro.report.drawings.draw import Drawing, drawing
+from repro.report.drawings.own_motion import joints_plot
+from repro.robotics import MinimumTimeSpline
+from repro.robotics.chain import Chain
 from repro.robotics.own_motion import increasing, sampled
+from repro.robotics.polynomial_motion import KINDS
+from repro.robotics.whereabouts import below
 
 Vector = NDArray[np.float64]
 ROWS = 50  # samples of a segment in a CSV
-FRAMES = 160  # of a moving arm, about
+LEAST = 5  # samples of a segment on a page
+SLACK = 1e-6  # m below the base plane that are rounding
 
 
 def row(found: OwnResult) -> dict[str, Any]:
@@ -57,51 +60,72 @@ def csv_text(found: OwnResult) -> str:
 
 def page(found: OwnResult, *, says: Sequence[str]) -> str:
     """Return the page as HTML that needs nothing else; `says` are its paragraphs."""
-    environment = Environment(
-        loader=PackageLoader("repro.report"), autoescape=True, undefined=StrictUndefined
+    return arm_page(found.title, tuple(_drawings(found)), says=says)
+
+
+def _drawings(found: OwnResult) -> Iterator[Drawing]:
+    if not found.certificate.at:
+        return
+    if found.chain is not None:
+        yield _arm(found, found.chain)
+    title = f"{found.title}: the joints over time"
+    yield drawing(lambda: joints_plot(found), title=title, identifier="joints")
+
+
+def _arm(found: OwnResult, chain: Chain) -> Drawing:
+    motion = _moving(found, chain)
+    own = found.problem
+    points = own.nodes if isinstance(own, MinimumTimeSpline) else own.waypoints
+    units = [
+        (name, "mm" if unit == "m" else "°")
+        for name, unit in zip(found.names, found.units, strict=True)
+    ]
+    return arm_drawing(
+        f"{found.title}: the arm",
+        [motion],
+        postures(chain, np.array(points) * np.array(found.si)),
+        joints=units,
+        notes=tuple(_below_base(motion)),
     )
-    environment.policies["json.dumps_kwargs"] = {"allow_nan": False}
-    drawn = bool(found.certificate.at)
-    postures = _postures(found) if drawn and found.chain else None
-    with drawing_style():
-        plots = _svg(joint_plots(found), "joints", "The joints over time") if drawn else ""
-        arm = _svg(still(postures[1]), "arm", "The arm") if postures else ""
-    scene = None
-    if postures:
-        times, corners = postures
-        scene = {
-            "times": np.round(times / times[-1], 6).tolist(),
-            "seconds": float(f"{times[-1]:.6g}"),
-            "corners": np.round(corners, 5).tolist(),
-            "angles": [[f"{value:.4g}" for value in line] for line in _angles(found)[1].tolist()],
-            "names": [f"{n} [{u}]" for n, u in zip(found.names, found.units, strict=True)],
-        }
-    template = environment.get_template("own_motion.html.jinja")
-    return template.render(
-        title=found.title,
-        says=says,
-        plots=Markup(plots),  # noqa: S704 (our own drawing, whose texts are escaped)
-        arm=Markup(arm),  # noqa: S704
-        scene=scene and Markup(json.dumps(scene).replace("<", "\\u003c")),  # noqa: S704
-    )
 
 
-def _svg(canvas: Any, identifier: str, title: str) -> str:  # noqa: ANN401 (matplotlib's)
-    return inline_svg(canvas, identifier=identifier, title=title, description=title)
-
-
-def _angles(found: OwnResult) -> tuple[Vector, Vector]:
+def _moving(found: OwnResult, chain: Chain) -> Moving:
     at = np.array(found.certificate.at)
-    samples = max(3, FRAMES // len(at))
-    times, values = sampled(found.problem, at, derivative=0, samples=samples)
-    kept = increasing(times)
-    return times[kept], values[kept]
+    orders = range(4 if "jerk" in found.limits else 3)
+    samples = max(LEAST, SAMPLES // len(at))
+    parts = [sampled(found.problem, at, derivative=m, samples=samples) for m in orders]
+    kept = increasing(parts[0][0])
+    angles, *moved = (values[kept] for _, values in parts)
+    angles = angles * np.array(found.si)
+    return Moving(
+        name="proved motion" if found.certificate.minimum is not None else "motion found",
+        durations=tuple(at.tolist()),
+        times=parts[0][0][kept],
+        postures=postures(chain, angles),
+        angles=angles,
+        shares=np.stack(
+            [_share(values, found.limits[KINDS[m]]) for m, values in enumerate(moved, start=1)],
+            axis=1,
+        ),
+    )
 
 
-def _postures(found: OwnResult) -> tuple[Vector, Vector]:
-    """Return times (n,) and the corners of the arm's links (n, joints + 2, 3) in m."""
-    times, values = _angles(found)
-    chain = found.chain
-    if chain is None:
-        return times, np.zeros((0, 0, 3))
-    return times, np.array([chain.corners(q) for q in values * np.array(found.si)])
+def _share(values: Vector, limits: Sequence[Sequence[float]]) -> Vector:
+    """Return how much of its limit on that side each joint uses, shape (n, joints)."""
+    low, high = np.array(limits).T
+    return np.asarray(np.maximum(values / high, values / low))
+
+
+def _below_base(motion: Moving) -> Iterator[str]:
+    """Yield for how long, and how deep, links or tool are below the base plane."""
+    heights = {
+        "lowest link": np.array([posture.corners[:, 2].min() for posture in motion.postures]),
+        "tool": motion.tool[:, 2],
+    }
+    for what, values in heights.items():
+        found = below(motion.times, values, -SLACK)
+        if found.lasting > 0.0:
+            yield (
+                f"The {what} is below the base plane for {found.lasting:.3g} s of "
+                f"{motion.total:.4g} s, down to {found.least:.3g} m."
+            )

@@ -116,7 +116,56 @@ def test_page_needs_nothing_else_and_escapes_what_a_file_says(
     assert "<script>alert" not in page
     assert not re.search(r"(src|href)=\"https?:", page)
     assert page.count("<svg") == 2
-    assert "showArm(" in page
+    assert page.count('class="arm-scene"') == 1
+
+
+def test_page_tells_how_long_the_arm_is_below_its_base_plane(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A crank of 1 m that turns by 360° on a level axis 0 m high is below it for half the time."""
+    out = tmp_path / "out.html"
+    path = write(tmp_path, waypoints="[[0], [360]]", acceleration="300", dh="[[0, 0, 0, -90]]")
+    turned = write(
+        tmp_path,
+        "two.toml",
+        waypoints="[[0, 0], [0, 360]]",
+        acceleration="300",
+        dh="[[0, 0, 0, 90], [0, 0, 1, 0]]",
+    )
+    assert asked(capsys, path, "--html", out)[0] == 0
+    assert "below the base plane for" not in out.read_text(encoding="utf-8")
+
+    assert asked(capsys, turned, "--html", out)[0] == 0
+    told = re.search(
+        r"The tool is below the base plane for (\S+) s of (\S+) s, down to -1 m",
+        out.read_text(encoding="utf-8"),
+    )
+    assert told
+    assert float(told[1]) == pytest.approx(float(told[2]) / 2, rel=1e-2)
+
+
+@pytest.mark.parametrize(("scale", "shown"), [("1e-6", "in 5 s"), ("1e6", "in 5 s"), ("1", None)])
+def test_page_plays_a_motion_of_any_length(
+    scale: str, shown: str | None, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = tmp_path / "out.html"
+    limit = str(300 / float(scale) ** 2)
+    path = write(tmp_path, acceleration=limit, velocity="1e20", jerk="", dh=TABLE)
+    assert asked(capsys, path, "--html", out)[0] == 0
+    page = out.read_text(encoding="utf-8")
+    found = re.search(r'<script type="application/json" class="arm-scene">(.*?)</script>', page)
+    assert found
+    times = json.loads(found[1])["motions"][0]["times"]
+
+    assert (np.diff(times) > 0).all()
+    assert (shown or "as planned") in re.findall(r"selected>(.*?)<", page)
+
+
+def test_titles_are_one_line_and_never_empty(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert asked(capsys, write(tmp_path, title='" "'))[1].startswith("pick: minimum")
+    assert asked(capsys, write(tmp_path, title='"a\\nb"'))[1].startswith("a b: minimum")
 
 
 def test_page_of_what_nothing_obeys_says_so(
@@ -150,6 +199,14 @@ def test_page_of_what_nothing_obeys_says_so(
         ({"waypoints": "[[0, 0, 1], [0, 0, 1]]"}, "waypoints 1 and 2 are equal"),
         ({"waypoints": "[[0, 0, nan], [0, 0, 1]]"}, "joint 3 of number 1 is nan"),
         ({"waypoints": '[["a", 0, 1], [0, 0, 1]]'}, "row 1, number 1: 'a' is no number"),
+        ({"waypoints": "[[], []]"}, "waypoints, row 1: there is no number"),
+        (
+            {"waypoints": f"[[1{'0' * 400}, 0, 1], [0, 0, 1]]"},
+            "waypoints: a whole number is beyond",
+        ),
+        ({"waypoints": "[[1e300, 0, 1], [0, 0, 1]]"}, "1e.300 is beyond what is computed: 0, or"),
+        ({"velocity": "[1, 1, 1e-200]"}, "velocity: 1e-200 is beyond what is computed"),
+        ({"velocity": "nan"}, "velocity of joint 1: nan is not a finite number"),
         ({"velocity": ""}, "velocity is missing"),
         ({"velocity": "-3"}, "velocity of joint 1: -3 must be above 0"),
         ({"velocity": "[1, 2]"}, "velocity: 2 entries for 3 joints"),
@@ -160,6 +217,7 @@ def test_page_of_what_nothing_obeys_says_so(
         ({"start_velocity": "[1, 2]"}, "start_velocity: 2 numbers for 3 joints"),
         ({"end_velocity": "[1, 2, 999]"}, "end velocity of joint 3 is 999.0, outside its limits"),
         ({"durations": "[1]"}, "durations: .* must be .shortest, longest."),
+        ({"durations": "3"}, "durations: 3 must be .shortest, longest."),
         ({"durations": "[2, 1]"}, "durations: .* must be .shortest, longest."),
         ({"ends": '"still"'}, "ends is of a spline alone; law is 'quintic'"),
         ({"law": '"spline"'}, "jerk: a spline's is not certified"),

@@ -1,10 +1,11 @@
 import json
 import re
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
-from repro.report.arm_page import arm_page
+from repro.report.arm_page import arm_drawing, arm_page
 from repro.report.drawings.arm_motion import Moving
 from repro.robotics.skeleton import Skeleton
 
@@ -17,7 +18,7 @@ def slid(way: float) -> Skeleton:
     return Skeleton(corners=corners, joints=corners[1:2], axes=np.array([[0.0, 0.0, 1.0]]))
 
 
-def made(**told: object) -> str:
+def made(notes: Sequence[str] = ()) -> str:
     moving = Moving(
         name="lift",
         durations=(2.0,),
@@ -27,7 +28,8 @@ def made(**told: object) -> str:
         shares=np.full((len(TIMES), 1, 1), 0.5),
     )
     stops = (slid(0.0), slid(0.2))
-    return arm_page("A lift <b>", [moving], stops, joints=[("lift", "mm")], **told)  # type: ignore[arg-type]
+    drawn = arm_drawing("A lift", [moving], stops, joints=[("lift", "mm")], notes=notes)
+    return arm_page("A lift <b>", [drawn], says=["It is < 1 m <i>high</i>"])
 
 
 def scene(page: str) -> dict[str, Any]:
@@ -49,9 +51,9 @@ def test_a_page_shows_any_chain_with_the_units_of_its_joints() -> None:
 
 
 def test_a_page_has_its_still_its_notes_and_no_markup_of_a_title() -> None:
-    page = made(notes=["5 < 6 mm are left"], more=["<svg id='own'></svg>"])
+    page = made(notes=["5 < 6 mm are left"])
 
     assert "<h1>A lift &lt;b&gt;</h1>" in page
     assert "5 &lt; 6 mm are left" in page
-    assert "<svg id='own'></svg>" in page
-    assert page.count("<svg") == 2
+    assert "<p>It is &lt; 1 m &lt;i&gt;high&lt;/i&gt;</p>" in page
+    assert page.count("<svg") == 1

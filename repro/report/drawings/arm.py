@@ -50,6 +50,7 @@ BETWEEN: Style = {"color": "#000000", "linewidth": 1.4, "marker": "o", "markersi
 PATH: Style = {"color": COLOURS[2], "linewidth": 1.8, "linestyle": (0, (3, 1.5))}
 FLOOR: Style = {"color": "#000000", "linewidth": 0.5, "alpha": 0.3}
 
+POINT = 0.1  # m: how much is shown round an arm without lengths
 PLACES = 4  # of a metre: a tenth of a millimetre
 
 
@@ -113,7 +114,7 @@ def _eye(motions: Sequence[Moving]) -> Eye:
     corners = np.array([posture.corners for m in motions for posture in m.postures])
     everything = np.vstack([corners.reshape(-1, 3), np.zeros((1, 3))])
     middle = (everything.min(axis=0) + everything.max(axis=0)) / 2
-    radius = float(np.linalg.norm(everything - middle, axis=1).max())
+    radius = float(np.linalg.norm(everything - middle, axis=1).max()) or POINT
     eyes = [
         Eye(azimuth=2 * math.pi * (k + 0.5) / DIRECTIONS, middle=middle, radius=radius)
         for k in range(DIRECTIONS)
@@ -224,7 +225,7 @@ def _floor(eye: Eye) -> Vector:
 
 def _description(motions: Sequence[Moving], stops: Sequence[Skeleton]) -> str:
     places = "; ".join(
-        f"{index + 1} at ({', '.join(f'{value:.3f}' for value in stop.corners[-1])})"
+        f"{index + 1} at ({', '.join(f'{value:.3f}' for value in stop.corners[-1].round(3) + 0.0)})"
         for index, stop in enumerate(stops)
     )
     told = "; ".join(

@@ -1,5 +1,6 @@
 """What the live view of an arm draws, as plain numbers: the browser computes no posture."""
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -59,11 +60,12 @@ def scene_of(
 
 def _motion(motion: Moving, kept: Sequence[int], units: Sequence[str]) -> Scene:
     angles = motion.angles
+    digits = max(4, 4 - math.floor(math.log10(motion.total)))
     scale = [10 * (np.degrees(1.0) if unit == "°" else 1000.0) for unit in units]
     return {
         "name": motion.name,
-        "durations": [round(duration, 4) for duration in motion.durations],
-        "times": np.round(motion.times, 4).tolist(),
+        "durations": [round(duration, digits) for duration in motion.durations],
+        "times": np.round(motion.times, digits).tolist(),
         "corners": [_whole(1000 * p.corners[list(kept)]) for p in motion.postures],
         "axes": [_whole(100 * p.axes) for p in motion.postures],
         "angles": [] if angles is None else [_whole(row * scale) for row in angles],

@@ -1,22 +1,31 @@
 """Position, velocity, acceleration and jerk of every joint of a motion of a user's own."""
 
 import numpy as np
+import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from repro.judge.own_motion import OwnResult
-from repro.report.drawings.style import line_style, name_left_axis, panels
+from repro.report.drawings.style import Plot, line_style, name_left_axis, panels
 from repro.robotics.own_motion import sampled
 from repro.robotics.polynomial_motion import KINDS
 
 NAMES = ("position", "velocity", "acceleration", "jerk")
 PER = ("", "/s", "/s²", "/s³")
 SAMPLES = 60  # of a segment
+DESCRIPTION = (
+    "The joints over time. Dotted lines are the limits, in the colour of their joint; upright "
+    "lines stand at the waypoints."
+)
 
 
-def joint_plots(found: OwnResult) -> Figure:
+def joints_plot(found: OwnResult) -> Plot:
     """Return a panel per derivative and unit, its limits as dotted lines in the joint's colour."""
+    return Plot(canvas=_joints(found), description=DESCRIPTION, frame=pd.DataFrame())
+
+
+def _joints(found: OwnResult) -> Figure:
     orders = range(4 if "jerk" in found.limits else 3)
     units = tuple(dict.fromkeys(found.units))
     legend = [Line2D([], [], label=name, **line_style(k)) for k, name in enumerate(found.names)]

@@ -1,3 +1,6 @@
+// Return an instant with its unit, to a hundredth of a second, or of a motion that is shorter.
+export const told = (seconds, end) => `${seconds.toFixed(Math.min(12, Math.max(2, Math.ceil(2 - Math.log10(end)))))} s`;
+
 // The time that all motions share. It never starts by itself, and pauses when nobody can see it.
 export class Clock {
   #now = 0;

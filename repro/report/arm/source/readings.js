@@ -1,4 +1,6 @@
 // What is told of an instant: a table of the joints' angles, and a line for each motion.
+import { told } from "./clock.js";
+
 export class Readings {
   constructor(table, list, { motions, names, limits }) {
     Object.assign(this, { list, motions, limits });
@@ -46,5 +48,5 @@ function progress(motion, now) {
     end += duration;
     if (now < end) return motion.durations.length > 1 ? `segment ${k + 1} of ${motion.durations.length}` : "on its way";
   }
-  return `arrived at ${end.toFixed(2)} s`;
+  return `arrived at ${told(end, end)}`;
 }

@@ -28,10 +28,11 @@ export function axes(length) {
   return { group, material, names: ends.map((end, k) => ({ text: `${"xyz"[k]} ${Number(length.toPrecision(3))} m`, place: end.clone().multiplyScalar(1.12), kind: "axis" })) };
 }
 
-// Return the path of a motion's tool as a tube.
+// Return the path of a motion's tool as a tube, nothing where it stays in place.
 export function path(motion, radius) {
   const points = motion.corners.map(numbers => new Vector3(...numbers.slice(-3)).divideScalar(1000));
   const apart = points.filter((point, k) => k === 0 || point.distanceTo(points[k - 1]) > 1e-6);
+  if (apart.length < 2) return new Mesh(new BufferGeometry(), new MeshBasicMaterial()); // the tool stays where it is
   const curve = new CatmullRomCurve3(apart, false, "centripetal");
   return new Mesh(new TubeGeometry(curve, 2 * apart.length, radius, 8), new MeshBasicMaterial());
 }

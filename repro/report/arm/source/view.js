@@ -1,6 +1,6 @@
 // One view: it reads its scene from the page, draws it, and obeys the controls beside it.
 import { DirectionalLight, HemisphereLight, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from "three";
-import { Clock } from "./clock.js";
+import { Clock, told } from "./clock.js";
 import { Orbit } from "./orbit.js";
 import { Readings } from "./readings.js";
 import { Robot } from "./robot.js";
@@ -70,6 +70,7 @@ class View {
 
   #connect() {
     const { clock, orbit, part } = this, range = part("time");
+    clock.speed = Number(part("speed").value);
     range.max = clock.end;
     range.step = "any";
     range.addEventListener("input", () => { clock.pause(); clock.now = range.valueAsNumber; });
@@ -101,10 +102,10 @@ class View {
     const { clock, part } = this, range = part("time");
     for (const robot of this.robots) robot.at(clock.now);
     const where = this.readings.show(this.robots, clock.now);
-    const seconds = `${clock.now.toFixed(2)} s`;
+    const seconds = told(clock.now, clock.end);
     range.value = clock.now;
     range.setAttribute("aria-valuetext", `${seconds}. ${where}`);
-    part("now").textContent = `${seconds} of ${clock.end.toFixed(2)} s`;
+    part("now").textContent = `${seconds} of ${told(clock.end, clock.end)}`;
     part("play").textContent = clock.playing ? "Pause" : "Play";
     this.draw();
   }
