@@ -9,6 +9,7 @@ from pathlib import Path
 
 from repro.commands.arguments import STORE
 from repro.commands.compare_entrants import libraries
+from repro.commands.compiled_code import say_whether_kept
 from repro.commands.running import run_lacking
 from repro.determinism.provenance import provenance
 from repro.errors import InputError
@@ -45,6 +46,7 @@ def compared(
     own = _protocols(asked, papers)
     tasks = _tasks(asked, own)
     ready()
+    say_whether_kept()
     used = libraries(getattr(search, "place", "") for search in asked.searches.values())
     with Store(options.store, say=options.say) as store:
         failed = run_lacking(store, tasks, options, report, partial(_environment, used))

@@ -188,6 +188,15 @@ def test_compared_runs_are_verified_and_made_again(
     assert "the same" in capfd.readouterr().out
 
 
+def test_code_that_cannot_be_kept_is_said_once(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("repro.commands.compiled_code.KEPT", None)
+
+    code, _, err = run("mine:guess", "--name", "own", "--runs", "1")
+
+    assert code == 0
+    assert err.count("repro: compiled code cannot be kept") == 1
+
+
 def test_termination_is_told_by_143(tmp_path: Path) -> None:
     (tmp_path / "mine.py").write_text(MODULE)
     process = subprocess.Popen(
