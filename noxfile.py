@@ -27,7 +27,7 @@ LOCKS = {
     "lint": ["lint"],
     "types": ["types"],
     "cluster": ["cluster", "test"],
-    "references": ["references", "test"],
+    "references": ["references", "urdf", "test"],
     "browser": ["browser", "test"],
 }
 PEERS = ("peers", "mealpy")  # two environments: mealpy wants an older NumPy than others do
@@ -183,7 +183,8 @@ def references(session: nox.Session) -> None:
     """Compare the certificates with two other planners, and test that they agree."""
     _install(session, "references")
     session.run("repro", "references", *session.posargs)
-    session.run("pytest", "tests/judge/test_outside_planners.py", env=ONE_THREAD)
+    asked = ("judge/test_outside_planners", "robotics/test_chain", "commands/test_motions_of_others")
+    session.run("pytest", *(f"tests/{name}.py" for name in asked), env=ONE_THREAD)
 
 
 @nox.session

@@ -195,9 +195,10 @@ class Teller:
 
     @staticmethod
     def _refuse(what: str, module: str, place: str) -> None:
+        where = f" in {module!r}" if module else ""
         message = (
-            f"{place} rests on {what}, whose source cannot be found in {module!r}: "
-            "define it by name in a file"
+            f"{place} rests on {what}, whose source cannot be found{where}: define it by name in a "
+            "file"
         )
         raise DeclarationError(message)
 
@@ -238,13 +239,15 @@ def _slots(kind: type) -> tuple[str, ...]:
 
 
 def _module_of(function: types.FunctionType) -> str:
-    """Return the module in whose file a function stands, whatever it calls itself."""
-    file = function.__code__.co_filename
-    if (path := path_of(function.__module__)) is not None and str(path) == file:
-        return function.__module__
+    """Return the module in whose file a function stands, whatever it calls itself.
+
+    One that `exec` made in names of no module is of none, and has no file either.
+    """
+    file, own = function.__code__.co_filename, function.__module__ or ""
+    if (path := path_of(own)) is not None and str(path) == file:
+        return own
     return next(
-        (n for n, m in list(sys.modules.items()) if getattr(m, "__file__", None) == file),
-        function.__module__,
+        (n for n, m in list(sys.modules.items()) if getattr(m, "__file__", None) == file), own
     )
 
 

@@ -48,7 +48,7 @@ def entrant_of(search: Any, name: str) -> Entrant:  # noqa: ANN401 (whatever the
 
         payload = cloudpickle.dumps(search)
     except ImportError:
-        message = f"{name} stands in no module: to send it, pip install cloudpickle"
+        message = f"{name} stands in no module: to send it, pip install 'repro-whales[notebook]'"
         raise InputError(message) from None
     except Exception as error:  # noqa: BLE001 (what an object raises that cannot travel)
         message = f"{name} cannot be sent to a process: {error}"

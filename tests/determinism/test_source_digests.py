@@ -435,6 +435,10 @@ def test_what_is_but_said_of_a_function_does_not_count() -> None:
             lambda: eval("lambda x: x"),  # noqa: S307 (as one types at a prompt)
             "rests on the function <lambda>, whose source cannot be",
         ),
+        (
+            lambda: eval("lambda x: x", {}),  # noqa: S307 (of no module)
+            "whose source cannot be found: define it by name in a file",
+        ),
         (lambda: sys.__stdout__, "whose value cannot be told: make it a frozen"),
         (lambda: (x for x in [1]), "whose value cannot be told"),
         (type("Made", (), {}), "rests on the class Made"),
