@@ -154,6 +154,9 @@ def test_missing_comparisons_are_named_and_one_alone_has_no_rank(run: Run) -> No
 
     assert "no runs of guess, wide in small2020/search: `repro reproduce small2020` makes" in out
     assert {row["rank"] for row in results("own")["standings"]} == {None}
+    page = Path("reports-private/own.html").read_text()
+    assert "small2020/search: <code>repro reproduce small2020</code> makes them" in page
+    assert "`repro reproduce small2020`" in Path("reports-private/own.md").read_text()
 
 
 def test_two_names_are_two_pages(run: Run) -> None:
