@@ -4,6 +4,7 @@ import ast
 import hashlib
 import importlib
 import importlib.metadata
+import importlib.util
 import inspect
 import json
 import re
@@ -43,7 +44,7 @@ def named(
     if names and len(names) != len(places):
         message = f"{len(names)} names are given by --name for {len(places)} searches"
         raise InputError(message)
-    found = [entrant(place) for place in places]
+    found = [entrant(in_module(place)) for place in places]
     called = list(names) or [place.rpartition(":")[2] for place in places]
     for name in called:
         if called.count(name) > 1:
@@ -51,6 +52,40 @@ def named(
             raise InputError(message)
         check_name(name, papers)
     return dict(zip(called, found, strict=True))
+
+
+def in_module(place: str) -> str:
+    """Return "module:object" for "file.py:object", and any other place as it is.
+
+    The file's folder becomes one where modules are looked for. Raises InputError where there is no
+    such file, or another module has its name.
+    """
+    file, _, name = place.rpartition(":")
+    path = Path(file).resolve()
+    if path.suffix != ".py":
+        return place
+    if not path.is_file():
+        message = f"no file {file}"
+        raise InputError(message)
+    for folder in (str(Path.cwd()), str(path.parent)):
+        if folder not in sys.path:
+            sys.path.insert(0, folder)
+    spec = importlib.util.find_spec(path.stem) if path.stem.isidentifier() else None
+    if spec is None or Path(spec.origin or "").resolve() != path:
+        other = f": there is {spec.origin}" if spec else ""
+        message = f"{file} cannot be imported as {path.stem!r}{other}; give it another name"
+        raise InputError(message)
+    return f"{path.stem}:{name}"
+
+
+def home_of(place: str) -> str:
+    """Return the folder from which the module of a place was imported."""
+    module = place.partition(":")[0]
+    found = getattr(sys.modules.get(module), "__file__", None)
+    if found is None:
+        return str(Path.cwd())
+    levels = module.count(".") + (Path(found).name == "__init__.py")
+    return str(Path(found).resolve().parents[levels])
 
 
 def entrant_in(place: str, folder: str) -> Entrant:

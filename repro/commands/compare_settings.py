@@ -13,8 +13,9 @@ def add_compare_options(parser: argparse.ArgumentParser) -> None:
     """Add searches, papers, and what narrows the work."""
     parser.add_argument(
         "given", nargs="+", metavar="MODULE:OBJECT… [PAPER…]",
-        help="searches: a callable, an object with minimise or with ask and tell; then papers, "
-        "each a key, a file or folder, or the key of an installed package (default: all)",
+        help="searches, each in a module or a FILE.py: a callable, an object with minimise or with "
+        "ask and tell; then papers, each a key, a file or folder, or the key of an installed "
+        "package (default: all)",
     )  # fmt: skip
     parser.add_argument(
         "--name", action="append", default=[], dest="names",

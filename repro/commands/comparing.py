@@ -5,10 +5,10 @@ from argparse import Namespace
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from pathlib import Path
 
 from repro.commands.arguments import STORE
-from repro.commands.compare_entrants import libraries
+from repro.commands.compare_entrants import home_of, libraries
+from repro.commands.compiled_code import say_whether_kept
 from repro.commands.running import run_lacking
 from repro.determinism.provenance import provenance
 from repro.errors import InputError
@@ -45,6 +45,7 @@ def compared(
     own = _protocols(asked, papers)
     tasks = _tasks(asked, own)
     ready()
+    say_whether_kept()
     used = libraries(getattr(search, "place", "") for search in asked.searches.values())
     with Store(options.store, say=options.say) as store:
         failed = run_lacking(store, tasks, options, report, partial(_environment, used))
@@ -123,7 +124,7 @@ def _noted(asked: Asked, own: Mapping[str, Paper]) -> list[Compared]:
         Compared(
             paper=key, name=name, place=search.place, experiments=asked.experiments,
             problems=asked.problems, runs=asked.runs, repeats=asked.repeats,
-            folder=str(Path.cwd()),
+            folder=home_of(search.place),
         )
         for key in own
         for name, search in asked.searches.items()

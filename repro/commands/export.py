@@ -10,7 +10,8 @@ import pandas as pd
 
 from repro.commands import catalogue
 from repro.commands.load import RESULTS, Results, load
-from repro.commands.stored_results import Stored
+from repro.commands.shown_rows import warn
+from repro.commands.stored_results import NoRunsError, Stored
 from repro.errors import InputError
 from repro.model.identifiers import anchor
 from repro.report.files import usable_folder, write_file
@@ -29,8 +30,19 @@ def run(options: Namespace) -> int:
     results = load(source, options.keys)
     keys = _keys(results, options.keys, source)
     usable_folder(options.to)
-    for path in _WRITERS[options.format](results, keys, options.to):
-        sys.stdout.write(f"{path}\n")
+    written = False
+    for key in keys:
+        try:
+            for path in _WRITERS[options.format](results, key, options.to):
+                sys.stdout.write(f"{path}\n")
+                written = True
+        except NoRunsError as error:  # of all papers some may never have been run
+            if options.keys:
+                raise
+            warn(str(error))
+    if not written:
+        message = f"nothing to export in {source}"
+        raise InputError(message)
     return 0
 
 
@@ -59,27 +71,26 @@ def _keys(results: Results, asked: Iterable[str], source: Path) -> list[str]:
     return list(wanted)
 
 
-def _frames(results: Results, keys: Iterable[str]) -> Iterator[tuple[str, pd.DataFrame]]:
+def _frames(results: Results, key: str) -> Iterator[tuple[str, pd.DataFrame]]:
     """Yield the name and the rows of each file; of a store the runs alone, as judging is slow."""
-    for key in keys:
-        yield f"{key}-runs", results.runs(key)
-        if not isinstance(results.source, Stored):
-            for kind in KINDS:
-                frame = getattr(results, kind)
-                yield f"{key}-{kind}", frame[frame["paper"] == key]
+    yield f"{key}-runs", results.runs(key)
+    if not isinstance(results.source, Stored):
+        for kind in KINDS:
+            frame = getattr(results, kind)
+            yield f"{key}-{kind}", frame[frame["paper"] == key]
 
 
-def _csv(results: Results, keys: Iterable[str], to: Path) -> Written:
-    for name, frame in _frames(results, keys):
+def _csv(results: Results, key: str, to: Path) -> Written:
+    for name, frame in _frames(results, key):
         write_file(to / f"{name}.csv", csv_text(frame))
         yield to / f"{name}.csv"
 
 
-def _parquet(results: Results, keys: Iterable[str], to: Path) -> Written:
+def _parquet(results: Results, key: str, to: Path) -> Written:
     if importlib.util.find_spec("pyarrow") is None:
         message = "Parquet needs pyarrow: install it with pip install 'repro-whales[parquet]'"
         raise InputError(message)
-    for name, frame in _frames(results, keys):
+    for name, frame in _frames(results, key):
         # 128 bits of a seed fit no number of Parquet, and lists of several kinds no column
         texts = {
             column: frame[column].map(_text) for column in frame if frame[column].dtype == object
@@ -93,32 +104,30 @@ def _text(value: object) -> str | None:
     return None if missing else str(value)
 
 
-def _ioh(results: Results, keys: Iterable[str], to: Path) -> Written:
+def _ioh(results: Results, key: str, to: Path) -> Written:
     source = results.source
     if not isinstance(source, Stored):  # of this format no other is taken
         message = f"{source.place} is no store"
         raise InputError(message)
-    for key in keys:
-        places: dict[str, Path] = {}
-        for experiment, records in source.cells(key):
-            name = f"{len(places) + 1}-{anchor(experiment.name)}"
-            folder = places.setdefault(experiment.name, to / f"{key}-ioh" / name)
-            for file, text in ioh_files(experiment, records).items():
-                write_file(folder / file, text)
-        yield to / f"{key}-ioh"
+    places: dict[str, Path] = {}
+    for experiment, records in source.cells(key):
+        name = f"{len(places) + 1}-{anchor(experiment.name)}"
+        folder = places.setdefault(experiment.name, to / f"{key}-ioh" / name)
+        for file, text in ioh_files(experiment, records).items():
+            write_file(folder / file, text)
+    yield to / f"{key}-ioh"
 
 
-def _latex(results: Results, keys: Iterable[str], to: Path) -> Written:
+def _latex(results: Results, key: str, to: Path) -> Written:
     found = results.findings
-    for key in keys:
-        own = found[(found["paper"] == key) & found["table"].notna()]
-        for table, findings in own.groupby("table", sort=False):
-            name = f"{key}-{anchor(table)}"
-            write_file(to / f"{name}.tex", latex_table(findings, name))
-            yield to / f"{name}.tex"
+    own = found[(found["paper"] == key) & found["table"].notna()]
+    for table, findings in own.groupby("table", sort=False):
+        name = f"{key}-{anchor(table)}"
+        write_file(to / f"{name}.tex", latex_table(findings, name))
+        yield to / f"{name}.tex"
 
 
-_WRITERS: Mapping[str, Callable[[Results, Iterable[str], Path], Written]] = {
+_WRITERS: Mapping[str, Callable[[Results, str, Path], Written]] = {
     "csv": _csv,
     "parquet": _parquet,
     "ioh": _ioh,

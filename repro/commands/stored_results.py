@@ -1,5 +1,6 @@
 """Results of papers from a store, read one run at a time."""
 
+import shlex
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -16,7 +17,7 @@ from repro.model.experiment import Experiment
 from repro.model.paper import Paper
 from repro.report.drawings.draw import plot_of
 from repro.report.drawings.style import Plot, drawing_style
-from repro.report.frames import PUBLISHED, RUNS, runs_frame
+from repro.report.frames import runs_frame
 from repro.report.results import Json, paper_result
 from repro.runs.gather import gather
 from repro.runs.plan import Task, plan
@@ -35,6 +36,10 @@ from repro.runs.studies import Study, studies
 
 MEASURED = ("repeat", "run", "cost", "evaluations", "seconds")
 NAMES = ("study", "experiment", "problem", "algorithm")
+
+
+class NoRunsError(InputError):
+    """A store in which no run is one of a paper as it stands."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -58,13 +63,17 @@ class Stored:
             ]
 
     def runs(self, key: str) -> pd.DataFrame:
-        """Return the runs of a paper; no more than one cell is held beside the frame."""
+        """Return the runs of a paper; no more than one cell is held beside the frame.
+
+        Raises NoRunsError where there are none.
+        """
         paper = self._paper(key)
         with self._opened() as (store, repeats):
             besides = studies(paper, repeats)
             parts = list(_parts(store, every_task(paper, repeats), besides))
-        whole = pd.concat(parts, ignore_index=True) if parts else _none()
-        return runs_frame(key, whole, drawn_as(paper, besides))
+            if not parts:
+                raise self._without_runs(store, key)
+        return runs_frame(key, pd.concat(parts, ignore_index=True), drawn_as(paper, besides))
 
     def figure(self, key: str, label: str) -> Plot:
         """Return a figure of a paper's page, of the protocol's runs; InputError for none."""
@@ -75,6 +84,8 @@ class Stored:
             raise InputError(message)
         with self._opened() as (store, repeats):
             evidence = gather(store, paper, plan([paper], repeats, protocol_only=True))
+            if not evidence.runs:
+                raise self._without_runs(store, key)
         with drawing_style():
             return plot_of(labels[label], evidence, paper.assumptions)
 
@@ -112,13 +123,27 @@ class Stored:
         return list(known[name].algorithms)
 
     def cells(self, key: str) -> Iterator[tuple[Experiment, list[Record]]]:
-        """Yield the finished runs of a paper, those of one algorithm on one problem at a time."""
-        paper = self._paper(key)
+        """Yield the finished runs of a paper, those of one algorithm on one problem at a time.
+
+        Raises NoRunsError where there are none.
+        """
+        paper, found = self._paper(key), False
         with self._opened() as (store, repeats):
             known = experiments_of(paper, repeats)
             for (name, *_), group in groupby(every_task(paper, repeats), key=_cell):
                 if records := [each for each in store.records(group) if each.reason is None]:
+                    found = True
                     yield known[name], records
+            if not found:
+                raise self._without_runs(store, key)
+
+    def _without_runs(self, store: Store, key: str) -> NoRunsError:
+        held = len(store.finished())
+        return NoRunsError(
+            f"{self.place} has no run of {key} as it stands, and {held} of other papers or of "
+            f"earlier code: `{shlex.join(['repro', 'reproduce', key, '--store', str(self.place)])}`"
+            " makes them"
+        )
 
     def _paper(self, key: str) -> Paper:
         return next(paper for paper in self.papers if paper.key == key)
@@ -147,7 +172,3 @@ def _part(runs: Sequence[RawRun]) -> pd.DataFrame:
     columns: dict[str, Any] = {name: getattr(runs[0], name) for name in NAMES}
     columns |= {name: [getattr(run, name) for run in runs] for name in MEASURED}
     return pd.DataFrame(columns)
-
-
-def _none() -> pd.DataFrame:
-    return pd.DataFrame(columns=[name for name in RUNS if name in (*PUBLISHED, "seconds")])

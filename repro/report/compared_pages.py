@@ -44,7 +44,7 @@ def compared_files(found: Comparison, called: str) -> Mapping[str, str]:
         "papers": _by_paper(found),
         "failed": [(record.task.name, record.reason) for record in found.failed],
         "warnings": found.warnings,
-        "missing": [each.says for each in found.missing],
+        "missing": found.missing,
         "drawings": _drawings(found),
         "libraries": ", ".join(f"{name} {version}" for name, version in found.libraries.items()),
     }

@@ -88,6 +88,11 @@ def run(
     sys.modules.pop("mine", None)
 
 
+def mkdir(folder: Path) -> Path:
+    folder.mkdir()
+    return folder
+
+
 def results(name: str) -> dict[str, Any]:
     found: dict[str, Any] = json.loads(Path(f"reports-private/{name}.json").read_text())
     return found
@@ -149,6 +154,9 @@ def test_missing_comparisons_are_named_and_one_alone_has_no_rank(run: Run) -> No
 
     assert "no runs of guess, wide in small2020/search: `repro reproduce small2020` makes" in out
     assert {row["rank"] for row in results("own")["standings"]} == {None}
+    page = Path("reports-private/own.html").read_text()
+    assert "small2020/search: <code>repro reproduce small2020</code> makes them" in page
+    assert "`repro reproduce small2020`" in Path("reports-private/own.md").read_text()
 
 
 def test_two_names_are_two_pages(run: Run) -> None:
@@ -186,6 +194,50 @@ def test_compared_runs_are_verified_and_made_again(
     assert "match: 3" in capfd.readouterr().out
     assert main(("again", "small2020", "search/bowl/own/1/2")) == 0
     assert "the same" in capfd.readouterr().out
+
+
+def test_search_is_named_by_its_file_and_found_again_from_elsewhere(
+    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "mine.py").rename(mkdir(tmp_path / "aside") / "mine.py")
+
+    assert run("./aside/mine.py:guess", "--name", "own")[0] == 0
+
+    assert results("own")["places"] == {"own": "mine:guess"}
+    monkeypatch.setattr(sys, "path", [p for p in sys.path if not p.startswith(str(tmp_path))])
+    sys.modules.pop("mine")
+    forget()
+    assert main(("verify",)) == 0
+    assert "match: 3" in capfd.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("place", "says"),
+    [
+        ("./none.py:guess", "no file ./none.py"),
+        ("./json.py:guess", "./json.py cannot be imported as 'json': there is /"),
+        ("./a-b.py:guess", "./a-b.py cannot be imported as 'a-b'; give it another name"),
+    ],
+)
+def test_file_that_is_no_module_is_told_in_a_line(
+    run: Run, tmp_path: Path, place: str, says: str
+) -> None:
+    for name in ("json", "a-b"):
+        (tmp_path / f"{name}.py").write_text(MODULE)
+
+    code, _, err = run(place)
+
+    assert (code, err.count("\n")) == (2, 1)
+    assert says in err
+
+
+def test_code_that_cannot_be_kept_is_said_once(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("repro.commands.compiled_code.KEPT", None)
+
+    code, _, err = run("mine:guess", "--name", "own", "--runs", "1")
+
+    assert code == 0
+    assert err.count("repro: compiled code cannot be kept") == 1
 
 
 def test_termination_is_told_by_143(tmp_path: Path) -> None:

@@ -182,3 +182,23 @@ def test_of_a_store_without_pages_the_runs_are_exported(place: Path, tmp_path: P
     assert main(["export", "--store", str(place / "store"), "--reports", str(tmp_path / "none"),
                  "--to", str(to)]) == 0  # fmt: skip
     assert [path.name for path in to.iterdir()] == ["small2020-runs.csv"]
+
+
+@pytest.mark.parametrize(
+    ("format_", "name"), [("csv", "small2020-runs.csv"), ("ioh", "small2020-ioh")]
+)
+def test_papers_that_were_never_run_are_named_and_stop_no_other(
+    place: Path, tmp_path: Path, format_: str, name: str, monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:  # fmt: skip
+    let_be_known(monkeypatch, replace(PAPER, key="never2021"), PAPER)
+    asked = ["export", "--store", str(place / "store"), "--reports", "none", "--to", str(tmp_path),
+             "--format", format_]  # fmt: skip
+
+    assert main(asked) == 0
+    written, said = capsys.readouterr()
+    assert [Path(line).name for line in written.split()] == [name]
+    assert all(Path(line).exists() for line in written.split())
+    assert said.count("\n") == 1
+    assert "has no run of never2021 as it stands" in said
+    assert main([*asked, "never2021"]) == 2

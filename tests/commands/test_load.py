@@ -230,3 +230,17 @@ def test_pandas_and_matplotlib_load_only_where_they_are_asked_for(
     )  # fmt: skip
 
     assert done.stdout.splitlines()[-1] == "set()"
+
+
+def test_runs_of_earlier_code_are_told_from_none(tmp_path: Path) -> None:
+    filled(tmp_path)
+    change(tmp_path, "update run set key = 'earlier ' || key")
+
+    results = repro.load(tmp_path)
+
+    with pytest.raises(
+        InputError,
+        match=rf"no run of small2020 as it stands, and {len(RECORDS)} of other papers or of earlier"
+        r" code: `repro reproduce small2020 --store .*` makes them",
+    ):
+        results.runs(PAPER.key)
