@@ -57,7 +57,7 @@ def test_no_array_is_loaded_with_pickles_allowed() -> None:
         for node in ast.walk(tree(source))
         if (isinstance(node, ast.keyword) and node.arg == "allow_pickle")
         or (isinstance(node, ast.Attribute) and node.attr in {"load", "fromfile", "loads_pickle"})
-        # settings in TOML, an arm in XML, and the module that an installed package's entry point names
+        # settings in TOML, an arm in XML, the module that an installed package's entry point names
         if ast.unparse(node) not in {"tomllib.load", "point.load", "URDF.load"}
     ]
 

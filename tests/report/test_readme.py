@@ -42,7 +42,9 @@ def test_every_python_example_of_the_readme_runs() -> None:
 def test_every_command_of_the_readme_is_known() -> None:
     for line in re.findall(r"^    repro (\w+)", README, flags=re.MULTILINE):
         needed = {
-            **{"compare": ["module:object"], "again": ["key", "name"], "flips": ["a", "b"]},
+            "compare": ["module:object"],
+            "again": ["key", "name"],
+            "flips": ["a", "b"],
             "motion": ["a.toml"],
         }
         assert parser().parse_args([line, *needed.get(line, [])]).command
