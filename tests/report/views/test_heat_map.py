@@ -6,7 +6,7 @@ import pytest
 
 from repro.judge.findings import Finding
 from repro.judge.verdict import Verdict
-from repro.report.views.findings import everything, table_view
+from repro.report.views.findings import Place, Shown, everything, table_view
 from repro.report.views.heat_map import MOST, HeatMap, heat_map, powers_off
 from repro.tables.published import PublishedTable
 
@@ -26,8 +26,10 @@ def finding(row: str, printed: str, value: float | None, **changes: Any) -> Find
 def mapped(*findings: Finding) -> HeatMap:
     lines = "\n".join(f"{each.row} || {each.printed}" for each in findings)
     table = PublishedTable.read(f"T\nF || WOA\n{lines}")
-    shown = everything(findings, ())
-    return heat_map(table_view(table, {("T", s.finding.row, "WOA"): s for s in shown}))
+    found: dict[Place, Shown] = {
+        ("T", shown.finding.row, "WOA"): shown for shown in everything(findings, ())
+    }
+    return heat_map(table_view(table, found))
 
 
 def squares(*findings: Finding) -> list[tuple[str, str]]:
