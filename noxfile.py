@@ -183,7 +183,11 @@ def references(session: nox.Session) -> None:
     """Compare the certificates with two other planners, and test that they agree."""
     _install(session, "references")
     session.run("repro", "references", *session.posargs)
-    asked = ("judge/test_outside_planners", "robotics/test_chain", "commands/test_motions_of_others")
+    asked = (
+        "judge/test_outside_planners",
+        "robotics/test_chain",
+        "commands/test_motions_of_others",
+    )
     session.run("pytest", *(f"tests/{name}.py" for name in asked), env=ONE_THREAD)
 
 
