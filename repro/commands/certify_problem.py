@@ -22,8 +22,8 @@ def certify(
     any other unit, or the path of a file as `repro motion` reads it. Where the time is too short
     `minimum` is None and the bounds are as far as they are. Raises InputError for anything else.
     """
-    if not seconds >= 0.0:
-        message = f"seconds {seconds!r} must be 0 or more"
+    if not isinstance(seconds, int | float) or not seconds >= 0.0:
+        message = f"seconds {seconds!r:.60} must be a number, 0 or more"
         raise InputError(message)
     if isinstance(problem, str | PathLike):
         return result(read_motion(Path(problem)), seconds).certificate

@@ -354,3 +354,9 @@ def test_command_runs_without_a_checkout(tmp_path: Path) -> None:
     )
     assert (done.returncode, done.stderr) == (0, "")
     assert "minimum 2.3448" in done.stdout
+
+
+@pytest.mark.parametrize("seconds", [-1, float("nan"), "5", None])
+def test_seconds_of_a_call_are_a_number(seconds: Any) -> None:  # noqa: ANN401 (what no type allows)
+    with pytest.raises(InputError, match="must be a number, 0 or more"):
+        repro.certify("no matter.toml", seconds=seconds)
