@@ -232,7 +232,7 @@ def test_file_that_is_no_module_is_told_in_a_line(
 
 
 def test_code_that_cannot_be_kept_is_said_once(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("repro.commands.compiled_code.KEPT", None)
+    monkeypatch.setattr("repro.determinism.compiled.KEPT", None)
 
     code, _, err = run("mine:guess", "--name", "own", "--runs", "1")
 

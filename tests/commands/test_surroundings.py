@@ -83,7 +83,7 @@ def test_code_that_cannot_be_kept_is_said_before_any_run(
 ) -> None:
     let_be_known(monkeypatch, PAPER)
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("repro.commands.compiled_code.KEPT", None)
+    monkeypatch.setattr("repro.determinism.compiled.KEPT", None)
 
     assert main(["reproduce", "--repeats", "1", "--protocol-only"]) == 0
 
