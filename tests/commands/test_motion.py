@@ -87,6 +87,19 @@ def test_proof_that_is_cut_short_has_no_minimum_and_is_no_failure(
     assert "apart" in asked(capsys, "--seconds", 0, path)[1]
 
 
+def test_polynomial_that_is_cut_short_has_a_bound_and_is_no_failure(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = write(tmp_path, law="11")
+    code, out, _ = asked(capsys, "--json", "--seconds", 0, path)
+    (row,) = json.loads(out)
+
+    assert code == 0
+    assert (row["minimum"], row["attained"]) == (None, None)
+    assert 0 < row["lower_bound"] < 1
+    assert "what obeys takes" in asked(capsys, "--seconds", 0, path)[1]
+
+
 def test_csv_has_the_columns_of_a_trajectory_and_instants_that_increase(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
