@@ -65,6 +65,7 @@ def polynomial_minimum(
     whole = len(at) == len(parts) and problem.obeys(np.array(at))
     attained = math.fsum(at) if whole else None
     bound = math.nextafter(least, 0.0) if math.isfinite(least) else None
+    binds = _at_fault(parts) or [part for part in parts if not part.early]
     return LeastTime(
         minimum=closed(bound, attained),
         lower_bound=bound,
@@ -74,7 +75,7 @@ def polynomial_minimum(
         binding=tuple(
             f"segment {k}: {_words(problem, part.cut, units)}"
             for k, part in enumerate(parts, 1)
-            if not part.early
+            if part in binds
         ),
         box=problem.durations,
         explanation=_explanation(problem, parts, units),
@@ -84,16 +85,23 @@ def polynomial_minimum(
 def _explanation(
     problem: PolynomialMotion, parts: list[SegmentProof], units: tuple[str, ...]
 ) -> str:
+    faults = _at_fault(parts)
     over = [
         f"segment {k} ({_words(problem, part.cut, units)})"
         for k, part in enumerate(parts, 1)
-        if part.time is None and not part.early
+        if part in faults
     ]
     if not over:
         return _left([k for k, part in enumerate(parts, 1) if part.early])
-    proved = any(part.lower > problem.durations[1] for part in parts)
+    proved = any(math.isinf(part.lower) for part in faults)
     found = "obey" if proved else "were found that obey"
-    return f"No durations {box_in_words(problem.durations)} {found}: {'; '.join(over)}."
+    return f"No durations{box_in_words(problem.durations)} {found}: {'; '.join(over)}."
+
+
+def _at_fault(parts: list[SegmentProof]) -> list[SegmentProof]:
+    """Return the segments in which no duration obeys, else those in which none was found."""
+    never = [part for part in parts if math.isinf(part.lower)]
+    return never or [part for part in parts if part.time is None and not part.early]
 
 
 def _left(early: list[int]) -> str:
