@@ -71,6 +71,24 @@ class Deadly(Guessing):
         return Guessing.minimise(self, problem, **budget)
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Interrupting(Guessing):
+    """Raises what only the driver's Ctrl-C should, in its run or already when it is prepared."""
+
+    holds_interpreter: ClassVar[bool] = True
+    prepared: bool = False
+
+    def prepare(self, problem: Problem) -> None:  # noqa: ARG002 (as searches declare it)
+        """Raise the interrupt, where that is asked."""
+        if self.prepared:
+            raise KeyboardInterrupt
+
+    def minimise(self, problem: Problem, **budget: Unpack[Budget]) -> Result:  # noqa: ARG002
+        """Raise the interrupt."""
+        message = "enough"
+        raise KeyboardInterrupt(message)
+
+
 def appears(path: Path) -> bool:
     """Return whether a file is there after a while, however busy the machine is."""
     for _ in range(6000):

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from repro.commands.motion_files import FREE, MotionFile, read_motion
+from repro.commands.motion_files import MotionFile, read_motion
 from repro.commands.motion_progress import telling
 from repro.commands.shown_rows import show_json, warn
 from repro.errors import InputError
@@ -15,6 +15,7 @@ from repro.judge.outside_planners import OutsideReference, references_of
 from repro.judge.own_motion import OwnResult, certified, losses, outside_range
 from repro.report.own_motion import csv_text, page, row
 from repro.robotics import MinimumTime
+from repro.robotics.proofs.proved import FREE
 from repro.robotics.proofs.watch import Watch
 
 SHARE = 0.25  # of the time allowed, that what limits cost may take besides

@@ -22,6 +22,7 @@ from repro.robotics.bsplines import Ends
 from repro.robotics.motion_checks import Rows, numbers, rows
 from repro.robotics.own_motion import OwnMotion
 from repro.robotics.polynomial_motion import PolynomialMotion
+from repro.robotics.proofs.proved import FREE
 
 KEYS = (
     *("title", "unit", "law", "waypoints", "velocity", "acceleration", "jerk", "range"),
@@ -32,7 +33,6 @@ DEGREES = {"cubic": 3, "quintic": 5, "septic": 7}
 LAWS = "cubic, quintic, septic, an odd degree (9, 11, …) or spline"
 HIGHEST = 99  # degree: exact arithmetic takes seconds there
 CLOSED_FORM = 9  # highest degree whose polynomial is as good in doubles as it is exactly
-FREE = (1e-9, 1e9)  # s: no segment of an arm's motion is shorter or longer
 SPLINE = "spline"
 
 

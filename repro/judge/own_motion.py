@@ -72,7 +72,7 @@ def certified(
 
 def _least(problem: OwnMotion, watch: Watch, units: tuple[str, ...]) -> LeastTime:
     if isinstance(problem, PolynomialMotion):
-        return polynomial_minimum(problem, units)
+        return polynomial_minimum(problem, units, watch)
     return least_time(problem, watch, units=units)
 
 

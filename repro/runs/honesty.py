@@ -89,7 +89,7 @@ def probed(tasks: Sequence[Task], stored: dict[str, Record], executor: Executor)
     return [
         warned
         for task, futures in asked
-        for warned in _told(stored[task.key], *(future.result() for future in futures))
+        for warned in told(stored[task.key], *(future.result() for future in futures))
     ]
 
 
@@ -121,23 +121,25 @@ def _alone(task: Task) -> Record:
         worker.close()
 
 
-def _told(
+def told(
     stored: Record, alone: Record, otherwise: Record, after: Record, counted: Record
 ) -> Iterator[Warned]:
     """Yield what differs between a run and the same made again."""
     run, name = stored.task.name, stored.task.algorithm
     if _differ(alone, otherwise):
+        end, differs = _ends(alone, otherwise)
         yield Warned(
             kind="hidden randomness",
-            says=f"{name} draws from what it was not given: run {run} ends at {_end(alone)}, and "
-            f"at {_end(otherwise)} with other global seeds; only `rng` is seeded by the run",
+            says=f"{name} draws from what it was not given: run {run} ends {end}, and {differs} "
+            "with other global seeds; only `rng` is seeded by the run",
         )
     elif _differ(alone, after) or _differ(alone, stored):
         other = after if _differ(alone, after) else stored
+        end, differs = _ends(alone, other)
         yield Warned(
             kind="state between runs",
-            says=f"{name} remembers earlier runs: run {run} ends at {_end(alone)} when it is made "
-            f"alone, and at {_end(other)} after another",
+            says=f"{name} remembers earlier runs: run {run} ends {end} when it is made alone, and "
+            f"{differs} after another",
         )
     if counted.reason and _NOTED in counted.reason:
         note = counted.reason.partition(_NOTED)[2]
@@ -154,8 +156,25 @@ def _differ(one: Record, other: Record) -> bool:
     return compare(one, other).outcome is not Outcome.MATCH
 
 
+def _ends(one: Record, other: Record) -> tuple[str, str]:
+    """Return how each of two records ends, by what differs between them."""
+    first, second = _end(one), _end(other)
+    if first != second:
+        return first, second
+    if one.evaluations != other.evaluations:
+        return _counted(one, first), _counted(other, first)
+    if one.x.tobytes() != other.x.tobytes():
+        return first, "at another point of the same cost"
+    return first, "there by another way"
+
+
+def _counted(record: Record, end: str) -> str:
+    count = record.evaluations
+    return f"{end} with {count} evaluation{'' if count == 1 else 's'}"
+
+
 def _end(record: Record) -> str:
-    return f"a failure ({record.reason})" if record.reason else repr(record.cost)
+    return f"in a failure ({record.reason})" if record.reason else f"at {record.cost!r}"
 
 
 def identical(tasks: Sequence[Task], stored: dict[str, Record]) -> list[Warned]:

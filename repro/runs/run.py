@@ -52,7 +52,7 @@ def execute(task: Task) -> Record:
         start = time.perf_counter()
         result, reason, seconds = _made(task)
     except (Exception, SystemExit) as error:  # noqa: BLE001 (one run's fault costs no other)
-        return failed(task, _told(error), time.perf_counter() - start)
+        return failed(task, told(error), time.perf_counter() - start)
     if reason:
         return failed(task, reason, seconds)
     return Record(
@@ -108,7 +108,7 @@ def _budget(task: Task) -> dict[str, int]:
     return {"evaluations": task.evaluations}
 
 
-def _told(error: BaseException) -> str:
+def told(error: BaseException) -> str:
     """Return what was raised, in one line, and the line of the user's own code that did."""
     says = " ".join(str(error).split())
     shown = says if len(says) <= _SHOWN else f"{says[:_SHOWN]}…"

@@ -14,10 +14,11 @@ import pytest
 
 import repro
 from repro.__main__ import main
-from repro.commands.motion_files import FREE, read_motion
+from repro.commands.motion_files import read_motion
 from repro.commands.motion_progress import telling
 from repro.errors import InputError
 from repro.robotics import MinimumTime, MinimumTimeSpline, PolynomialMotion, quintic
+from repro.robotics.proofs.proved import FREE
 
 PICK = {
     "title": '"pick and place"',
@@ -85,6 +86,19 @@ def test_proof_that_is_cut_short_has_no_minimum_and_is_no_failure(
     assert row["minimum"] is None
     assert 0 < row["lower_bound"] < row["attained"]
     assert "apart" in asked(capsys, "--seconds", 0, path)[1]
+
+
+def test_polynomial_that_is_cut_short_has_a_bound_and_is_no_failure(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = write(tmp_path, law="11")
+    code, out, _ = asked(capsys, "--json", "--seconds", 0, path)
+    (row,) = json.loads(out)
+
+    assert code == 0
+    assert (row["minimum"], row["attained"]) == (None, None)
+    assert 0 < row["lower_bound"] < 1
+    assert "what obeys takes" in asked(capsys, "--seconds", 0, path)[1]
 
 
 def test_csv_has_the_columns_of_a_trajectory_and_instants_that_increase(
@@ -180,6 +194,19 @@ def test_page_of_what_nothing_obeys_says_so(
     assert "No durations from 0.1 to 1 s obey" in page.read_text(encoding="utf-8")
     assert "not written" in err
     assert not samples.exists()
+
+
+def test_free_durations_that_nothing_obeys_are_no_box_and_the_segment_at_fault_alone_binds(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = write(
+        tmp_path, start_velocity="[-90, 0, 0]", range="[[-0.001, 99], [-99, 99], [-99, 99]]"
+    )
+    code, out, _ = asked(capsys, path)
+
+    assert code == 0
+    assert "  No durations obey: segment 1 (range of joint 1 (limit -0.001 deg))." in out
+    assert re.findall(r"binds: (segment \d)", out) == ["segment 1"]
 
 
 @pytest.mark.parametrize(

@@ -11,10 +11,11 @@ from scipy.interpolate import BPoly, BSpline
 from scipy.optimize import brentq, minimize
 
 from repro.commands.certify_problem import certify
-from repro.commands.motion_files import FREE, MotionFile, read_motion
+from repro.commands.motion_files import MotionFile, read_motion
 from repro.judge.outside_planners import ruckig_time, toppra_time
 from repro.robotics import MinimumTime, MinimumTimeSpline
 from repro.robotics.polynomial_motion import PolynomialMotion
+from repro.robotics.proofs.proved import FREE
 
 Vector = NDArray[np.float64]
 HERE = Path(__file__).parents[1] / "motions"

@@ -24,7 +24,7 @@ LINEAR_PROGRAMME = (
 BRANCH_AND_BOUND = (
     "branch and bound over the durations: the velocity limits are linear in them, the acceleration "
     "limits cubic with a chord as their linear bound in a box; a rational combination of both "
-    "bounds the sum in each of {boxes} boxes from below, and a motion, lengthened a "
+    "bounds the sum in {boxes} from below, and a motion, lengthened a "
     "little, is proved to keep every limit by Bernstein coefficients in rational numbers; u runs "
     "from 0 to 1 in each segment"
 )
@@ -124,7 +124,7 @@ def _spline(problem: MinimumTimeSpline, watch: Watch | None, units: Sequence[str
         minimum=closed(lower, attained),
         lower_bound=lower,
         attained=attained,
-        method=BRANCH_AND_BOUND.format(boxes=proof.boxes) if proof.boxes else LINEAR_PROGRAMME,
+        method=_method(proof.boxes),
         at=tuple(map(float, proof.durations)),
         binding=(*_at_the_ends(problem, proof), *_holding(problem, proof, units)),
         box=problem.durations,
@@ -136,18 +136,16 @@ def _explanation(
     problem: MinimumTimeSpline, proof: SplineProof, lower: float | None, attained: float | None
 ) -> str:
     if lower is None:
-        return (
-            f"No durations {box_in_words(problem.durations)} obey, proved by {proof.boxes} boxes."
-        )
+        return f"No durations{box_in_words(problem.durations)} obey{_by_boxes(proof.boxes)}."
+    by_boxes = _by_boxes(proof.boxes, " of durations")
     if attained is None:
-        return (
-            f"No motion with durations {box_in_words(problem.durations)} was found that obeys; one "
-            f"would take {lower:.6g} s or more, proved by {proof.boxes} boxes of durations."
-        )
+        among = box_in_words(problem.durations, " with durations ")
+        least = f"one would take {lower:.6g} s or more{by_boxes}"
+        return f"No motion{among} was found that obeys; {least}."
     share = f"{100 * proof.acceleration_share:.3g} % of its limit"
     if closed(lower, attained) is None:
         return (
-            f"The minimum lies between {lower:.6g} s, proved by {proof.boxes} boxes of durations, "
+            f"The minimum lies between {lower:.6g} s{by_boxes}{',' if by_boxes else ''} "
             f"and {attained:.6g} s, the shortest motion found (an acceleration reaches {share}): "
             f"they are {100 * (gap(lower, attained) or 0.0):.2g} % apart."
         )
@@ -157,6 +155,17 @@ def _explanation(
             f"{share}; the velocity limits alone would allow less."
         )
     return f"No acceleration exceeds {share}, so these limits play no part in the minimum."
+
+
+def _method(boxes: int) -> str:
+    if not boxes:
+        return LINEAR_PROGRAMME
+    return BRANCH_AND_BOUND.format(boxes="one box" if boxes == 1 else f"each of {boxes} boxes")
+
+
+def _by_boxes(boxes: int, of: str = "") -> str:
+    """Return ", proved by 2 boxes", nothing where it took none."""
+    return f", proved by {boxes} box{'' if boxes == 1 else 'es'}{of}" if boxes else ""
 
 
 def _at_the_ends(problem: MinimumTimeSpline, proof: SplineProof) -> tuple[str, ...]:

@@ -15,6 +15,7 @@ import numpy as np
 from repro.robotics.polynomial_motion import KINDS, PolynomialMotion, derived, extremes
 from repro.robotics.proofs.positivity import not_negative, positive
 from repro.robotics.proofs.proved import LeastTime, box_in_words, closed
+from repro.robotics.proofs.watch import ENDLESS, Watch
 
 STEPS = 200  # from root to root
 SLACK = 1e-11  # share of a limit by which a motion may seem to break it when the search ends
@@ -41,22 +42,30 @@ class BrokenLimit:
 class SegmentProof:
     """Duration of one segment: proved bound, the time of a motion proved to obey, what binds.
 
-    The bound is infinite where no duration obeys, `time` is None where none was found.
+    The bound is infinite where no duration obeys, `time` is None where none was found; `early` says
+    that there was no time left to look for one.
     """
 
     lower: float
     time: float | None
     cut: BrokenLimit | None
+    early: bool = False
 
 
-def polynomial_minimum(problem: PolynomialMotion, units: tuple[str, ...]) -> LeastTime:
-    """Return the least time of every motion that obeys and whose durations are allowed."""
-    parts = [_segment(problem, k) for k in range(problem.segments)]
+def polynomial_minimum(
+    problem: PolynomialMotion, units: tuple[str, ...], watch: Watch = ENDLESS
+) -> LeastTime:
+    """Return the least time of every motion that obeys and whose durations are allowed.
+
+    It is proved as far as it can be until the watch is over.
+    """
+    parts = [_segment(problem, k, watch) for k in range(problem.segments)]
     least = math.fsum(part.lower for part in parts)
     at = [part.time for part in parts if part.time is not None]
     whole = len(at) == len(parts) and problem.obeys(np.array(at))
     attained = math.fsum(at) if whole else None
     bound = math.nextafter(least, 0.0) if math.isfinite(least) else None
+    binds = _at_fault(parts) or [part for part in parts if not part.early]
     return LeastTime(
         minimum=closed(bound, attained),
         lower_bound=bound,
@@ -64,7 +73,9 @@ def polynomial_minimum(problem: PolynomialMotion, units: tuple[str, ...]) -> Lea
         method=METHOD,
         at=tuple(at) if whole else (),
         binding=tuple(
-            f"segment {k}: {_words(problem, part.cut, units)}" for k, part in enumerate(parts, 1)
+            f"segment {k}: {_words(problem, part.cut, units)}"
+            for k, part in enumerate(parts, 1)
+            if part in binds
         ),
         box=problem.durations,
         explanation=_explanation(problem, parts, units),
@@ -74,16 +85,30 @@ def polynomial_minimum(problem: PolynomialMotion, units: tuple[str, ...]) -> Lea
 def _explanation(
     problem: PolynomialMotion, parts: list[SegmentProof], units: tuple[str, ...]
 ) -> str:
+    faults = _at_fault(parts)
     over = [
         f"segment {k} ({_words(problem, part.cut, units)})"
         for k, part in enumerate(parts, 1)
-        if part.time is None
+        if part in faults
     ]
     if not over:
-        return ""
-    proved = any(part.lower > problem.durations[1] for part in parts)
+        return _left([k for k, part in enumerate(parts, 1) if part.early])
+    proved = any(math.isinf(part.lower) for part in faults)
     found = "obey" if proved else "were found that obey"
-    return f"No durations {box_in_words(problem.durations)} {found}: {'; '.join(over)}."
+    return f"No durations{box_in_words(problem.durations)} {found}: {'; '.join(over)}."
+
+
+def _at_fault(parts: list[SegmentProof]) -> list[SegmentProof]:
+    """Return the segments in which no duration obeys, else those in which none was found."""
+    never = [part for part in parts if math.isinf(part.lower)]
+    return never or [part for part in parts if part.time is None and not part.early]
+
+
+def _left(early: list[int]) -> str:
+    if not early:
+        return ""
+    which, were = ("segment", "was") if len(early) == 1 else ("segments", "were")
+    return f"The time was over before {which} {', '.join(map(str, early))} {were} proved."
 
 
 def _words(problem: PolynomialMotion, cut: BrokenLimit | None, units: tuple[str, ...]) -> str:
@@ -97,17 +122,19 @@ def _words(problem: PolynomialMotion, cut: BrokenLimit | None, units: tuple[str,
     )
 
 
-def _segment(problem: PolynomialMotion, segment: int) -> SegmentProof:
+def _segment(problem: PolynomialMotion, segment: int, watch: Watch) -> SegmentProof:
     shortest, longest = problem.durations
     time = proved = shortest
     cut: BrokenLimit | None = None
     for _ in range(STEPS):
-        worst, excess = _worst(problem, segment, time)
+        worst, excess = _worst(problem, segment, time, watch)
+        if watch.over:
+            break
         if excess <= SLACK:
-            found = _lengthened(problem, segment, time, exact=cut is None)
+            found = _lengthened(problem, segment, time, watch, exact=cut is None)
             if found is not None:
                 return SegmentProof(lower=proved, time=found, cut=cut)
-            if excess <= 0.0:
+            if excess <= 0.0 or watch.over:
                 break
         cut = worst
         room = _room(problem, segment, cut)
@@ -119,24 +146,25 @@ def _segment(problem: PolynomialMotion, segment: int) -> SegmentProof:
         if reached > proved and positive(_mapped(room, proved, reached)):
             proved = reached
         time = max(after, time * (1.0 + SHORTER))
-    return SegmentProof(lower=proved, time=None, cut=cut)
+    return SegmentProof(lower=proved, time=None, cut=cut, early=watch.over)
 
 
-def _worst(problem: PolynomialMotion, segment: int, time: float) -> tuple[BrokenLimit, float]:
+def _worst(
+    problem: PolynomialMotion, segment: int, time: float, watch: Watch
+) -> tuple[BrokenLimit, float]:
     """Return the limit that is broken most, as a share of it, or kept most barely."""
     found = (BrokenLimit(derivative=1, joint=0, sign=1, at=0.0), -math.inf)
-    for joint in range(problem.joints):
-        for m in KINDS:
-            low, high = problem.bounds(m, joint)
-            if math.isinf(low) and math.isinf(high):
-                continue
-            least, most, at_least, at_most = extremes(problem, segment, joint, m, time)
-            size = high - low if m == 0 else 1.0
-            above = (most - high) / (size if m == 0 else high) if high < math.inf else -math.inf
-            below = (low - least) / (size if m == 0 else -low) if low > -math.inf else -math.inf
-            for excess, sign, at in ((above, 1, at_most), (below, -1, at_least)):
-                if excess > found[1]:
-                    found = (BrokenLimit(derivative=m, joint=joint, sign=sign, at=at), excess)
+    for joint, m in _limited(problem):
+        if watch.over:
+            break
+        low, high = problem.bounds(m, joint)
+        least, most, at_least, at_most = extremes(problem, segment, joint, m, time)
+        size = high - low if m == 0 else 1.0
+        above = (most - high) / (size if m == 0 else high) if high < math.inf else -math.inf
+        below = (low - least) / (size if m == 0 else -low) if low > -math.inf else -math.inf
+        for excess, sign, at in ((above, 1, at_most), (below, -1, at_least)):
+            if excess > found[1]:
+                found = (BrokenLimit(derivative=m, joint=joint, sign=sign, at=at), excess)
     return found
 
 
@@ -173,12 +201,12 @@ def _mapped(room: list[Fraction], start: float, end: float) -> list[Fraction]:
 
 
 def _lengthened(
-    problem: PolynomialMotion, segment: int, time: float, *, exact: bool
+    problem: PolynomialMotion, segment: int, time: float, watch: Watch, *, exact: bool
 ) -> float | None:
     """Return a duration little longer that is proved to obey; as it is where the box binds."""
     for share in (0.0, *LONGER) if exact else LONGER:
         longer = min(time * (1.0 + share), problem.durations[1])
-        if all(_kept(problem, segment, joint, m, longer) for joint, m in _limited(problem)):
+        if all(_kept(problem, segment, limit, longer, watch) for limit in _limited(problem)):
             return longer
     return None
 
@@ -192,7 +220,12 @@ def _limited(problem: PolynomialMotion) -> list[tuple[int, int]]:
     ]
 
 
-def _kept(problem: PolynomialMotion, segment: int, joint: int, m: int, time: float) -> bool:
+def _kept(
+    problem: PolynomialMotion, segment: int, limited: tuple[int, int], time: float, watch: Watch
+) -> bool:
+    if watch.over:
+        return False
+    joint, m = limited
     least, most, *_ = extremes(problem, segment, joint, m, time)
     low, high = problem.bounds(m, joint)
     if not low <= least <= most <= high:
@@ -206,6 +239,6 @@ def _kept(problem: PolynomialMotion, segment: int, joint: int, m: int, time: flo
         if math.isfinite(limit):
             room = [-sign * entry for entry in curve]
             room[0] += Fraction(limit) * duration**m
-            if not not_negative(room):
+            if not not_negative(room, watch):
                 return False
     return True

@@ -10,6 +10,7 @@ from fractions import Fraction
 from itertools import pairwise
 
 from repro.robotics.polynomials import bernstein
+from repro.robotics.proofs.watch import ENDLESS, Watch
 
 Polynomial = Sequence[Fraction]
 HALVINGS = 40  # of an interval whose Bernstein coefficients do not decide
@@ -41,8 +42,11 @@ def positive(p: Polynomial) -> bool:
     return _positive(bernstein(p), HALVINGS)
 
 
-def not_negative(p: Polynomial) -> bool:
-    """Return whether p is proved to be 0 or more on [0, 1]; it may be 0 at the ends."""
+def not_negative(p: Polynomial, watch: Watch = ENDLESS) -> bool:
+    """Return whether p is proved to be 0 or more on [0, 1] until the watch is over.
+
+    It may be 0 at the ends.
+    """
     rest = bernstein(p)
     # a root at an end is divided out, as often as it is one
     while len(rest) > 1 and rest[0] == 0:
@@ -51,17 +55,17 @@ def not_negative(p: Polynomial) -> bool:
     while len(rest) > 1 and rest[-1] == 0:
         n = len(rest) - 1
         rest = [rest[i] * Fraction(n, n - i) for i in range(n)]
-    return min(rest) >= 0 or _positive(rest, HALVINGS)
+    return min(rest) >= 0 or _positive(rest, HALVINGS, watch)
 
 
-def _positive(bernstein: list[Fraction], halvings: int) -> bool:
+def _positive(bernstein: list[Fraction], halvings: int, watch: Watch = ENDLESS) -> bool:
     if min(bernstein) > 0:
         return True
-    if halvings == 0 or bernstein[0] <= 0 or bernstein[-1] <= 0:
+    if halvings == 0 or watch.over or bernstein[0] <= 0 or bernstein[-1] <= 0:
         return False
     left, right = [bernstein[0]], [bernstein[-1]]
     while len(bernstein) > 1:  # de Casteljau's scheme at 1/2
         bernstein = [(a + b) / 2 for a, b in pairwise(bernstein)]
         left.append(bernstein[0])
         right.append(bernstein[-1])
-    return _positive(left, halvings - 1) and _positive(right[::-1], halvings - 1)
+    return all(_positive(half, halvings - 1, watch) for half in (left, right[::-1]))

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 GAP = 1e-5  # share of its time: a motion that is nearer to the bound is a minimum
+FREE = (1e-9, 1e9)  # s: no segment of an arm's motion is shorter or longer
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -45,6 +46,6 @@ def closed(lower: float | None, attained: float | None) -> float | None:
     return attained if found is not None and found <= GAP else None
 
 
-def box_in_words(box: tuple[float, float]) -> str:
-    """Return "from 0.1 to 5 s"."""
-    return f"from {box[0]:g} to {box[1]:g} s"
+def box_in_words(box: tuple[float, float], before: str = " ") -> str:
+    """Return " from 0.1 to 5 s" after words of its own; nothing where durations are free."""
+    return "" if box == FREE else f"{before}from {box[0]:g} to {box[1]:g} s"

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from repro.robotics.proofs.proved import LeastTime, box_in_words, closed
+from repro.robotics.proofs.proved import LeastTime, closed
 from repro.robotics.rest_to_rest import DERIVATIVES, MARGIN, MinimumTime
 
 PER = {"velocity": "/s", "acceleration": "/s²", "jerk": "/s³"}
@@ -39,7 +39,7 @@ def rest_to_rest(problem: MinimumTime, units: Sequence[str]) -> LeastTime:
 
 
 def _nothing_obeys(problem: MinimumTime, lower: float, units: Sequence[str]) -> LeastTime:
-    longest = problem.durations[1]
+    low, longest = problem.durations
     over = [
         f"segment {k + 1} takes {time:.6g} s or more ({_limit(problem, k, units)})"
         for k, time in enumerate(problem.shortest())
@@ -54,7 +54,7 @@ def _nothing_obeys(problem: MinimumTime, lower: float, units: Sequence[str]) -> 
         binding=(),
         box=problem.durations,
         explanation=(
-            f"No durations {box_in_words(problem.durations)} obey: {'; '.join(over)}. Whatever the "
+            f"No durations from {low:g} to {longest:g} s obey: {'; '.join(over)}. Whatever the "
             f"durations, a motion that obeys takes {lower:.6g} s or more."
         ),
     )

@@ -9,6 +9,7 @@ import pickle
 import signal
 import subprocess
 import sys
+import time
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
@@ -18,7 +19,7 @@ from queue import SimpleQueue
 from threading import Event, Thread
 
 from repro.runs.plan import Task
-from repro.runs.run import Record, execute, failed, prepare
+from repro.runs.run import Record, execute, failed, prepare, told
 from repro.runs.workers.pickling import pack, stripped, unpack
 
 ALIVE, LATE = b"alive", b"late"
@@ -165,14 +166,26 @@ def _answer(payload: bytes, begun: set[object], alive: Callable[[], None]) -> by
         (task,) = unpack(payload)
     except Exception:  # noqa: BLE001 (whatever importing a stranger's module raises)
         return pickle.dumps(None)
-    with suppress(Exception):  # the run itself says what is wrong
+    with suppress(BaseException):  # the run itself says what is wrong
         prepare(task)
     alive()
-    record = execute(task)
+    record = _executed(task)
     search = getattr(task.optimiser, "source", None)
     if search is not None and search not in begun and record.reason is None:
         alive()
         begun.add(search)
-        again = execute(task)
+        again = _executed(task)
         record = replace(record, seconds=min(record.seconds, again.seconds))
     return pickle.dumps(stripped(record))
+
+
+def _executed(task: Task) -> Record:
+    """Return the record of a run, failed where it raises what would end the process.
+
+    No Ctrl-C arrives here: KeyboardInterrupt is the search's own.
+    """
+    start = time.perf_counter()
+    try:
+        return execute(task)
+    except BaseException as error:  # noqa: BLE001 (the fault of one run, whatever it is)
+        return failed(task, told(error), time.perf_counter() - start)

@@ -13,7 +13,8 @@ from repro.determinism.compiled import COST, ready
 from repro.robotics import MinimumTimeSpline
 from repro.robotics.bsplines import Ends
 from repro.robotics.proofs.least_time import least_time
-from repro.robotics.proofs.proved import GAP
+from repro.robotics.proofs.proved import FREE, GAP, LeastTime
+from repro.robotics.proofs.spline_minimum import SplineProof
 from repro.robotics.proofs.watch import Watch
 
 # five points up to 0.2 rad apart, as an engineer's UR5e would go through them
@@ -138,6 +139,32 @@ def test_box_in_which_no_spline_obeys_is_proved_to_be_one() -> None:
 
     assert (found.minimum, found.lower_bound, found.attained, found.at) == (None, None, None, ())
     assert found.explanation.startswith("No durations from 0.001 to ")
+
+
+@pytest.mark.parametrize(
+    ("boxes", "says"), [(0, ""), (1, ", proved by 1 box"), (2, ", proved by 2 boxes")]
+)
+@pytest.mark.parametrize("durations", [(0.5, 2.0), FREE])
+def test_boxes_of_a_proof_are_counted_and_free_durations_are_no_box(
+    boxes: int, says: str, durations: tuple[float, float], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    boxed = replace(SMALL, durations=durations)
+
+    def found(lower: float) -> LeastTime:
+        proof = SplineProof(
+            lower_bound=lower, durations=(), holding=(), acceleration_share=0.0, boxes=boxes
+        )
+        monkeypatch.setattr("repro.robotics.proofs.least_time.prove", lambda _: proof)
+        return least_time(boxed)
+
+    among = "" if durations == FREE else " from 0.5 to 2 s"
+    assert found(math.inf).explanation == f"No durations{among} obey{says}."
+    given = "" if durations == FREE else " with durations from 0.5 to 2 s"
+    took = f"{says} of durations" if boxes else ""
+    assert found(3.0).explanation == (
+        f"No motion{given} was found that obeys; one would take 3 s or more{took}."
+    )
+    assert ("in one box from below" in found(3.0).method) == (boxes == 1)
 
 
 def test_time_that_stands_still_at_the_ends_is_said() -> None:

@@ -11,6 +11,8 @@ from repro.robotics.polynomial_motion import extremes, motion, shapes
 from repro.robotics.proofs.least_time import least_time
 from repro.robotics.proofs.polynomial_minimum import polynomial_minimum
 from repro.robotics.proofs.proved import LeastTime
+from repro.robotics.proofs.watch import ENDLESS, Watch
+from tests.robotics.proofs.test_least_time import ticking
 from tests.robotics.test_rest_to_rest import problems
 
 TWO = PolynomialMotion(
@@ -23,8 +25,8 @@ TWO = PolynomialMotion(
 SPEEDS = st.tuples(st.floats(-0.9, 0.9), st.floats(-1.9, 1.9))
 
 
-def proved(problem: PolynomialMotion) -> LeastTime:
-    return polynomial_minimum(problem, ("rad",) * problem.joints)
+def proved(problem: PolynomialMotion, watch: Watch = ENDLESS) -> LeastTime:
+    return polynomial_minimum(problem, ("rad",) * problem.joints, watch)
 
 
 def pairs(limits: tuple[float, ...]) -> tuple[tuple[float, float], ...]:
@@ -150,6 +152,25 @@ def test_fast_and_slow_motions_are_proved_alike(power: int) -> None:
         durations=(0.01 * by, 100.0 * by),
     )
     assert proved(scaled).minimum == pytest.approx(by * (proved(moving).minimum or 0.0), rel=1e-8)
+
+
+@pytest.mark.parametrize("looks", [0, 1, 3, 10, 20, 30])
+def test_bound_that_is_cut_short_holds_and_says_which_segments_are_left(looks: int) -> None:
+    whole, cut = proved(TWO), proved(TWO, ticking(looks))
+
+    assert (cut.minimum, cut.attained, cut.at) == (None, None, ())
+    assert 0 < (cut.lower_bound or 0.0) < (whole.lower_bound or 0.0)
+    left = "segment 2 was" if cut.binding else "segments 1, 2 were"
+    assert cut.explanation == f"The time was over before {left} proved."
+    assert cut.binding == whole.binding[: len(cut.binding)]
+
+
+def test_longer_search_proves_no_less_until_all_is_proved() -> None:
+    bounds = [proved(TWO, ticking(looks)).lower_bound or 0.0 for looks in range(0, 200, 4)]
+
+    assert bounds == sorted(bounds)
+    assert len(set(bounds)) > 2
+    assert bounds[-1] == proved(TWO).lower_bound
 
 
 def test_box_of_durations_is_obeyed_or_said() -> None:

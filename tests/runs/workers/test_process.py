@@ -1,4 +1,5 @@
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -16,7 +17,7 @@ import pytest
 from repro.runs.plan import Task
 from repro.runs.run import Record, execute
 from repro.runs.workers.process import StoppedError, WorkerProcess
-from tests.held_searches import Telling, deadly, tasks_of
+from tests.held_searches import Interrupting, Telling, deadly, tasks_of
 from tests.runs.test_run import same
 from tests.small_papers import LOST, Failing, Guessing
 
@@ -56,6 +57,20 @@ def test_fault_of_a_run_is_its_outcome(worker: WorkerProcess) -> None:
     record = worker.execute(tasks_of(bad=Failing())[0])
 
     assert record.reason == LOST
+
+
+@pytest.mark.parametrize(("prepared", "text"), [(False, "enough"), (True, "")])
+def test_search_that_interrupts_is_a_failed_run_and_its_process_lives_on_in_silence(
+    worker: WorkerProcess, capfd: pytest.CaptureFixture[str], *, prepared: bool, text: str
+) -> None:
+    first = worker.execute(tasks_of(telling=Telling())[0]).evaluations
+
+    record = worker.execute(tasks_of(bad=Interrupting(prepared=prepared))[0])
+
+    said = rf"KeyboardInterrupt: {text} \(held_searches.py, line \d+\)"
+    assert re.fullmatch(said, record.reason or ""), record.reason
+    assert worker.execute(tasks_of(telling=Telling())[0]).evaluations == first
+    assert capfd.readouterr().err == ""
 
 
 def test_task_that_cannot_travel_runs_here(worker: WorkerProcess) -> None:
