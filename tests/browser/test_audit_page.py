@@ -80,7 +80,7 @@ def page(chromium: "Browser", manual: str) -> Iterator[Visit]:
     one.page.on("console", lambda message: one.complaints.append(message.text))
     one.page.on("pageerror", lambda error: one.complaints.append(str(error)))
     one.page.goto(f"{manual}/audit_here.html")
-    one.page.wait_for_selector("#audit:enabled")
+    one.page.wait_for_selector("#audit:enabled", timeout=180_000)
     yield one
     context.close()
 
@@ -90,7 +90,7 @@ def audited(visit: Visit, text: str) -> None:
     visit.page.get_by_label("The table").fill(text)
     visit.page.locator("#audit").focus()
     visit.page.keyboard.press("Enter")
-    visit.page.wait_for_selector("#audit:enabled")
+    visit.page.wait_for_selector("#audit:enabled", timeout=180_000)
 
 
 def by_command(text: str, *options: str) -> Any:  # noqa: ANN401 (JSON)
@@ -136,7 +136,7 @@ def test_a_guess_is_changed_by_its_menu(page: Visit) -> None:
     menu = page.page.get_by_label("instead of: n = 30")
     menu.fill("2")
     menu.press("Tab")
-    page.page.wait_for_selector("#audit:enabled")
+    page.page.wait_for_selector("#audit:enabled", timeout=180_000)
     assert page.page.locator("#answer ol > li").all_text_contents() == said(table["rows"])
 
 
