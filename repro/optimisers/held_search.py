@@ -44,7 +44,7 @@ def entrant_of(search: Any, name: str) -> Entrant:  # noqa: ANN401 (whatever the
         if load(place) is search:
             return entrant(place)
     try:
-        import cloudpickle  # type: ignore[import-untyped, unused-ignore]  # noqa: PLC0415
+        import cloudpickle  # noqa: PLC0415
 
         payload = cloudpickle.dumps(search)
     except ImportError:
