@@ -7,6 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from repro.commands.written_pages import write_pages
 from repro.runs.plan import plan
 from repro.runs.run import Record, execute
 from repro.runs.session import mended, run_missing
@@ -23,6 +24,14 @@ def filled(folder: Path) -> Path:
     with Store(folder) as store:
         store.begin(ENVIRONMENT)
         store.add(RECORDS)
+    return folder
+
+
+def with_pages(folder: Path, store: str = "store") -> Path:
+    """Return the folder, with a filled store and the reports of it."""
+    filled(folder / store)
+    with Store(folder / store) as opened:
+        write_pages(opened, [PAPER], TASKS, folder / "reports", [PAPER.key])
     return folder
 
 

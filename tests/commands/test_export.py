@@ -10,14 +10,11 @@ import pytest
 
 import repro
 from repro.__main__ import main
-from repro.commands.written_pages import write_pages
 from repro.report.frames import RUNS
 from repro.report.ioh_files import ioh_files
 from repro.report.latex_tables import escaped, latex_table
-from repro.runs.plan import plan
-from repro.runs.store.store import Store
 from tests.small_papers import EXPERIMENT, PAPER, let_be_known
-from tests.small_stores import RECORDS, filled
+from tests.small_stores import RECORDS, with_pages
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -30,11 +27,7 @@ def known() -> Iterator[None]:
 @pytest.fixture(scope="module")
 def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Return a folder with a store and the reports of it."""
-    folder = tmp_path_factory.mktemp("exported")
-    filled(folder / "store")
-    with Store(folder / "store") as store:
-        write_pages(store, [PAPER], plan([PAPER], 1), folder / "reports", [PAPER.key])
-    return folder
+    return with_pages(tmp_path_factory.mktemp("exported"))
 
 
 def exported(place: Path, to: Path, *more: str) -> list[str]:

@@ -20,7 +20,7 @@ from repro.runs.plan import plan
 from repro.runs.run import Record
 from repro.runs.store.store import Store
 from tests.small_papers import PAPER, let_be_known
-from tests.small_stores import ENVIRONMENT, RECORDS, change, filled
+from tests.small_stores import ENVIRONMENT, RECORDS, change, filled, with_pages
 
 ROOT = Path(__file__).parents[2]
 
@@ -35,11 +35,7 @@ def known() -> Iterator[None]:
 @pytest.fixture(scope="module")
 def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Return a folder with a store and the reports of it."""
-    folder = tmp_path_factory.mktemp("loaded")
-    filled(folder / "store")
-    with Store(folder / "store") as store:
-        write_pages(store, [PAPER], plan([PAPER], 1), folder / "reports", [PAPER.key])
-    return folder
+    return with_pages(tmp_path_factory.mktemp("loaded"))
 
 
 def results_of(place: Path) -> dict[str, Any]:

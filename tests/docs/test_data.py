@@ -6,12 +6,9 @@ from pathlib import Path
 import pytest
 
 import repro
-from repro.commands.written_pages import write_pages
 from repro.report.frames import FINDINGS
-from repro.runs.plan import plan
-from repro.runs.store.store import Store
 from tests.small_papers import PAPER, let_be_known
-from tests.small_stores import RECORDS, filled
+from tests.small_stores import RECORDS, with_pages
 
 PAGE = (Path(__file__).parents[2] / "docs" / "data.md").read_text(encoding="utf-8")
 NAMES = re.compile(r"`([^`]+)`")
@@ -34,11 +31,7 @@ def known() -> Iterator[None]:
 @pytest.fixture(scope="module")
 def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Return a folder with a store and the reports of it."""
-    folder = tmp_path_factory.mktemp("data")
-    filled(folder / ".repro")
-    with Store(folder / ".repro") as store:
-        write_pages(store, [PAPER], plan([PAPER], 1), folder / "reports", [PAPER.key])
-    return folder
+    return with_pages(tmp_path_factory.mktemp("data"), ".repro")
 
 
 @pytest.mark.parametrize("name", ["reports", ".repro"])
