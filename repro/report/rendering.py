@@ -13,7 +13,7 @@ from repro.model.measures.measure import TABLES
 from repro.report.drawings.arm_viewer import viewer
 from repro.report.escapes import markdown_text
 from repro.report.formulas import dollars, equation_links, formula_anchor, mathml, powers_of_ten
-from repro.report.rooms import address, page_of, to
+from repro.report.rooms import OURS, address, page_of, to
 from repro.report.run_files import place_of_runs
 from repro.report.verdict_pages import VERDICTS
 from repro.report.words import (
@@ -51,7 +51,7 @@ def _templates(*, markdown: bool) -> Environment:
         "comparison_rows": lambda c: [(problem, *texts) for problem, texts in c.rows],
         "cell": markdown_cell,
     }
-    environment.globals |= {"to": to, "address": address, "page_of": page_of}
+    environment.globals |= {"OURS": OURS, "to": to, "address": address, "page_of": page_of}
     environment.globals |= {"viewer": viewer, "again_command": again_command, "command": command}
     environment.globals |= {"level": LEVEL, "tables_drawn": TABLES, "HOW": VERDICTS}
     environment.globals |= {"SYMBOLS": SYMBOLS, "MEANINGS": MEANINGS, "VERDICTS": tuple(Verdict)}

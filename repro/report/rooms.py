@@ -70,6 +70,8 @@ ROOMS = (
 DOOR = ROOMS[0]
 _ROOM_OF = {section.name: room for room in ROOMS for section in room.sections}
 _ANCHOR_OF = {section.name: section.anchor for room in ROOMS for section in room.sections}
+OURS = "repro"
+"""What each page names as its generator: so a page that we wrote is told from another's."""
 _OWN = ("index", "verdicts", "glossary", VERDICTS)  # names of pages that are of no one paper
 
 
