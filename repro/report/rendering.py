@@ -10,7 +10,7 @@ from repro.judge.findings import LEVEL
 from repro.judge.verdict import Verdict
 from repro.model.identifiers import anchor
 from repro.model.measures.measure import TABLES
-from repro.report.drawings.arm_viewer import viewer
+from repro.report.drawings.arm_viewer import packed_viewer, viewer_licence
 from repro.report.escapes import markdown_text
 from repro.report.formulas import dollars, equation_links, formula_anchor, mathml, powers_of_ten
 from repro.report.rooms import OURS, address, page_of, to
@@ -52,7 +52,8 @@ def _templates(*, markdown: bool) -> Environment:
         "cell": markdown_cell,
     }
     environment.globals |= {"OURS": OURS, "to": to, "address": address, "page_of": page_of}
-    environment.globals |= {"viewer": viewer, "again_command": again_command, "command": command}
+    environment.globals |= {"packed_viewer": packed_viewer, "viewer_licence": viewer_licence}
+    environment.globals |= {"again_command": again_command, "command": command}
     environment.globals |= {"level": LEVEL, "tables_drawn": TABLES, "HOW": VERDICTS}
     environment.globals |= {"SYMBOLS": SYMBOLS, "MEANINGS": MEANINGS, "VERDICTS": tuple(Verdict)}
     environment.globals |= {"place_of_runs": place_of_runs}

@@ -125,6 +125,15 @@ def check_names(keys: Iterable[str]) -> None:
                 raise InputError(message)
 
 
+def check_apart(files: Iterable[str], more: Iterable[str], key: str) -> None:
+    """Raise InputError where files of a paper would replace those of another, whatever the case."""
+    taken = {name.casefold() for name in files}
+    for name in more:
+        if name.casefold() in taken:
+            message = f"{key} and another paper would both be written to {name}: rename one of them"
+            raise InputError(message)
+
+
 def neighbours(rooms: Iterable[Room]) -> Iterator[tuple[Room | None, Room, Room | None]]:
     """Yield each room between the one before and the one after it."""
     row: list[Room | None] = [None, *rooms, None]
