@@ -13,7 +13,7 @@ from markupsafe import Markup
 
 from repro.audit.alone import tables_alone
 from repro.audit.arms import rows_of_arm
-from repro.judge.findings import LEVEL
+from repro.judge.findings import IN_WORDS, LEVEL
 from repro.judge.judgement import Judgement
 from repro.judge.verdict import Verdict
 from repro.model.figures import Arm, Figure
@@ -47,6 +47,7 @@ from repro.report.views.baselines import standings_view
 from repro.report.views.calibration import truthful
 from repro.report.views.findings import Shown, bare_table, everything, table_view, tallies
 from repro.report.views.heat_map import heat_map
+from repro.report.views.line_plot import least_values
 from repro.report.views.readings import readings_view, ruled_out_by, settings_of
 from repro.report.views.runs import runs_view
 from repro.report.views.search_box import search_rows
@@ -110,7 +111,10 @@ def _paper_files(judgement: Judgement, master_seed: str, files: Files, called: s
     entry = paper_result(judgement, master_seed)
     calibrated = calibration()["rows"]
     runs = runs_view(judgement)
-    found = everything(judgement.findings, judgement.audit, settings_of(paper), ruled_out_by(paper))
+    found = everything(
+        *(judgement.findings, judgement.audit, settings_of(paper), ruled_out_by(paper)),
+        least=least_values(paper.claims, judgement.certificates),
+    )
     times = zip(judgement.certificates, judgement.found_times, strict=True)
     context = {
         "paper": paper,
@@ -255,7 +259,7 @@ def _templates(*, markdown: bool) -> Environment:
     environment.globals |= {"viewer": viewer, "again_command": again_command, "command": command}
     environment.globals |= {"level": LEVEL, "tables_drawn": TABLES, "HOW": VERDICTS}
     environment.globals |= {"SYMBOLS": SYMBOLS, "MEANINGS": MEANINGS, "VERDICTS": tuple(Verdict)}
-    environment.globals |= {"place_of_runs": place_of_runs}
+    environment.globals |= {"place_of_runs": place_of_runs, "IN_WORDS": IN_WORDS}
     environment.globals |= {"NOT_REPRODUCIBLE": Verdict.NOT_REPRODUCIBLE}
     environment.globals |= {"RESULTS": RESULTS, "IMPOSSIBLE": IMPOSSIBLE}
     return environment
