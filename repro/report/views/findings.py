@@ -25,7 +25,6 @@ from repro.report.words import (
 )
 from repro.tables.published import UNITS, Printed, PublishedTable
 
-
 Place = tuple[str | None, str | None, str | None]
 
 
