@@ -145,7 +145,7 @@ def test_the_panel_stays_inside_the_window(visit: Open) -> None:
 
 
 def test_a_claim_has_its_evidence_and_its_link_as_a_cell_has(visit: Open) -> None:
-    page = visit(f"doe2021.html#claim-woa-is-best-on-f1").page
+    page = visit("doe2021.html#claim-woa-is-best-on-f1").page
     claim = page.locator("#claim-woa-is-best-on-f1")
 
     assert claim.locator(".panel").is_visible()
