@@ -19,13 +19,21 @@ from numpy.typing import NDArray
 
 from repro.errors import DeclarationError
 from repro.robotics.bsplines import solve
-from repro.robotics.motion_checks import Rows, check_motion, checked_durations, numbers, rows
-from repro.robotics.polynomials import RestToRestLaw, bernstein
+from repro.robotics.motion_checks import (
+    Rows,
+    check_limit,
+    check_motion,
+    checked_durations,
+    numbers,
+    rows,
+)
+from repro.robotics.polynomials import bernstein, check_degree
 
 Vector = NDArray[np.float64]
 Rationals = tuple[Fraction, ...]
 ROOTS = 12  # coefficients of which a polynomial's roots are found to the last digits
 FINE, ZOOMS = 100, 4  # samples of a polynomial of more, and how often its extremes are approached
+COMPUTED = (1e-60, 1e60)  # s: durations whose cubes doubles hold, and what is divided by them
 KINDS = {0: "range", 1: "velocity", 2: "acceleration", 3: "jerk"}
 
 
@@ -51,13 +59,18 @@ class PolynomialMotion:
 
     def __post_init__(self) -> None:
         """Raise DeclarationError for points, limits, velocities or times that cannot be."""
-        RestToRestLaw(self.degree)
+        check_degree(self.degree)
         put: Any = object.__setattr__
         put(self, "waypoints", rows(self.waypoints, called="waypoints"))
         put(self, "durations", numbers(self.durations, called="durations"))
         check_motion(self.waypoints, {}, self.durations, called="waypoints")
+        if self.durations[0] < COMPUTED[0] or self.durations[1] > COMPUTED[1]:
+            message = (
+                f"durations {self.durations}: computed are {COMPUTED[0]:g} to {COMPUTED[1]:g} s"
+            )
+            raise DeclarationError(message)
         for kind in KINDS.values():
-            if getattr(self, kind) is not None:
+            if getattr(self, kind) is not None or kind in {"velocity", "acceleration"}:
                 put(self, kind, self._pairs(kind))
         for name in ("start", "end"):
             put(self, name, self._speeds(name))
@@ -72,6 +85,8 @@ class PolynomialMotion:
                 rule = "lowest < highest" if kind == "range" else "lowest < 0 < highest"
                 message = f"{kind} of joint {joint}: ({low!r}, {high!r}) must be {rule}"
                 raise DeclarationError(message)
+            for limit in (low, high) if kind != "range" else ():
+                check_limit(limit, called=f"{kind} of joint {joint}")
             places = enumerate((point[joint - 1] for point in self.waypoints), start=1)
             for place, value in places if kind == "range" else ():
                 if not low <= value <= high:
