@@ -19,8 +19,9 @@ nox.options.reuse_venv = "yes"
 ONE_THREAD = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
 # tests start many processes, which load faster what is compiled once
 TESTING = {**ONE_THREAD, "PYTHONDONTWRITEBYTECODE": ""}
-# a file's tests share what they make once; numbers of a machine under load are no benchmarks
-SPREAD = ("-n", "auto", "--dist", "loadfile", "--benchmark-disable")
+# the longest file comes first, and a file's tests share what they make once; numbers of a machine
+# under load are no benchmarks
+SPREAD = ("-n", "auto", "--dist", "loadfile", "--no-loadscope-reorder", "--benchmark-disable")
 LOCKS = {
     "run": [],
     "test": ["test"],

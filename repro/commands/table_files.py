@@ -82,6 +82,8 @@ LONGEST_CONTEXT = 20_000  # letters that are searched for the number of runs
 def _bytes(name: str) -> bytes:
     try:
         content = _standard_input() if name == STANDARD_INPUT else _of_file(Path(name))
+    except InputError:
+        raise
     except (OSError, ValueError) as error:
         reason = (error.strerror if isinstance(error, OSError) else None) or str(error)
         message = f"{name}: cannot be read: {reason}"

@@ -26,9 +26,7 @@ class Said:
     err: str
 
 
-def called(
-    folder: Path, *calls: Sequence[str], spoil: str = "", bound: bool = False
-) -> list[Said]:
+def called(folder: Path, *calls: Sequence[str], spoil: str = "", bound: bool = False) -> list[Said]:
     """Return what each call says that knows the small paper alone.
 
     `spoil` is a kind of fault and the number of a stream, as "full 1"; `bound` lets no call do what
