@@ -18,6 +18,7 @@ from repro.report.calibration import calibration
 from repro.report.drawings.draw import Drawing, draw
 from repro.report.files import usable_folder, write_file
 from repro.report.frames import DIGITS, FINDING, csv_text, findings_frame
+from repro.report.glossary import PAGE, glossary
 from repro.report.rendering import render
 from repro.report.results import (
     PROVENANCE,
@@ -43,7 +44,7 @@ from repro.report.views.heat_map import heat_map
 from repro.report.views.line_plot import least_values
 from repro.report.views.readings import readings_view, ruled_out_by, settings_of
 from repro.report.views.runs import runs_view
-from repro.report.views.search_box import search_rows
+from repro.report.views.search_box import search_index
 from repro.report.views.times import time_cells
 from repro.tables.audit_words import read_lines, read_words
 from repro.tables.rows import AuditRow
@@ -93,8 +94,9 @@ def _paper_files(judgement: Judgement, master_seed: str, files: Files, called: s
     drawings = _drawings(judgement)
     entry = paper_result(judgement, master_seed)
     runs = runs_view(judgement)
-    context = _context(judgement, entry, drawings, called) | runs.context()
     rooms = _rooms(judgement, drawings)
+    entry["rooms"] = [room.name for room in rooms]
+    context = _context(judgement, entry, drawings, called) | runs.context()
     for before, here, after in neighbours(rooms):
         own = {"here": here, "before": before, "after": after, "rooms": rooms}
         files[page_of(key, here)] = render("paper.html", context | own)
@@ -198,9 +200,16 @@ def _notes(key: str, figure: Figure) -> tuple[str, ...]:
 
 
 def verdict_files() -> Files:
-    """Return the pages that say how verdicts are made."""
-    context = verdict_context(calibration())
-    return {f"{VERDICTS}.{kind}": render(f"{VERDICTS}.{kind}", context) for kind in ("html", "md")}
+    """Return the pages that say how verdicts are made, and what the words mean."""
+    pages: dict[str, Mapping[str, object]] = {
+        VERDICTS: verdict_context(calibration()),
+        PAGE: {"terms": glossary().terms},
+    }
+    return {
+        f"{name}.{kind}": render(f"{name}.{kind}", context)
+        for name, context in pages.items()
+        for kind in ("html", "md")
+    }
 
 
 def index_files(
@@ -223,7 +232,7 @@ def index_files(
         "counts_of": verdict_counts,
         "impossible_of": impossible_rows,
         "verdicts": [v for v in Verdict if v != Verdict.NOT_RUN or not_run],
-        "search_rows": search_rows(papers),
+        "search": search_index(papers, glossary()),
         "another_seed": another_seed,
         "again": _all_again(papers, called),
     }

@@ -51,6 +51,9 @@ def paper_result(judgement: Judgement, master_seed: str) -> Json:
         "assumptions": [_assumption(assumption) for assumption in paper.assumptions],
         "errata": _plain(paper.errata),
         "gaps": _plain(paper.gaps),
+        "equations": [
+            {"label": each.label, "where": each.where, "says": each.says} for each in paper.formulas
+        ],
     }
 
 

@@ -7,6 +7,7 @@ import pytest
 from tests.browser.conftest import Open
 
 PAGE = "doe2021.html"
+SHOWN = ".panel:visible"
 CELL = "table-2-f1-mean-pso"
 
 

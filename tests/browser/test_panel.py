@@ -17,7 +17,7 @@ def test_a_click_opens_the_evidence_of_a_number_as_a_dialog(visit: Open) -> None
     panel.wait_for(state="visible")
 
     for said in (
-        "✖ contradicted (re-run higher) The re-run is higher: ",
+        "✖ contradicted: the re-run is higher: ",
         ", printed 1.2×10",
         "accepted",
         "2 repeats; the first 689.8, +1.8 decades",
@@ -145,7 +145,7 @@ def test_the_panel_stays_inside_the_window(visit: Open) -> None:
 
 
 def test_a_claim_has_its_evidence_and_its_link_as_a_cell_has(visit: Open) -> None:
-    page = visit(f"doe2021.html#claim-woa-is-best-on-f1").page
+    page = visit("doe2021.html#claim-woa-is-best-on-f1").page
     claim = page.locator("#claim-woa-is-best-on-f1")
 
     assert claim.locator(".panel").is_visible()
