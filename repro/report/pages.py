@@ -45,6 +45,7 @@ from repro.report.run_files import packed_runs, place_of_runs
 from repro.report.verdict_pages import VERDICTS, verdict_context
 from repro.report.views.baselines import standings_view
 from repro.report.views.calibration import truthful
+from repro.report.views.conclusions import concluded
 from repro.report.views.findings import Shown, bare_table, everything, table_view, tallies
 from repro.report.views.heat_map import heat_map
 from repro.report.views.readings import readings_view, ruled_out_by, settings_of
@@ -233,7 +234,7 @@ def _all_again(papers: Sequence[Json], called: Mapping[str, str]) -> str:
 def _templates(*, markdown: bool) -> Environment:
     environment = Environment(
         loader=PackageLoader("repro.report"),
-        autoescape=select_autoescape(["html.jinja"]),
+        autoescape=select_autoescape([] if markdown else ["html.jinja"]),
         undefined=StrictUndefined,
         finalize=_without_tags if markdown else None,
         trim_blocks=True,
@@ -255,7 +256,8 @@ def _templates(*, markdown: bool) -> Environment:
     environment.globals |= {"viewer": viewer, "again_command": again_command, "command": command}
     environment.globals |= {"level": LEVEL, "tables_drawn": TABLES, "HOW": VERDICTS}
     environment.globals |= {"SYMBOLS": SYMBOLS, "MEANINGS": MEANINGS, "VERDICTS": tuple(Verdict)}
-    environment.globals |= {"place_of_runs": place_of_runs}
+    environment.globals |= {"place_of_runs": place_of_runs, "concluded": concluded}
+    environment.globals |= {"address": address}
     environment.globals |= {"NOT_REPRODUCIBLE": Verdict.NOT_REPRODUCIBLE}
     environment.globals |= {"RESULTS": RESULTS, "IMPOSSIBLE": IMPOSSIBLE}
     return environment
@@ -264,6 +266,11 @@ def _templates(*, markdown: bool) -> Environment:
 def render(name: str, context: Mapping[str, object]) -> str:
     """Return a page made of a template and what it shows."""
     return _templates(markdown=name.endswith(".md")).get_template(f"{name}.jinja").render(context)
+
+
+def address(key: str, section: str, name: str | None = None) -> str:
+    """Return where a thing is found from any page."""
+    return f"{key}.html#{name or anchor(section)}"
 
 
 def _without_tags(value: object) -> object:
