@@ -49,6 +49,7 @@ from repro.report.views.conclusions import concluded
 from repro.report.views.findings import Shown, bare_table, everything, table_view, tallies
 from repro.report.views.heat_map import heat_map
 from repro.report.views.readings import readings_view, ruled_out_by, settings_of
+from repro.report.views.reasons import strengths
 from repro.report.views.runs import runs_view
 from repro.report.views.search_box import search_rows
 from repro.report.views.times import time_cells
@@ -125,6 +126,7 @@ def _paper_files(judgement: Judgement, master_seed: str, files: Files, called: s
         **_printed(paper, found, judgement.audit),
         **runs.context(),
         "audit": judgement.audit,
+        "strengths": strengths(judgement.audit, found),
         "alone": [
             (read_words(table), *read_lines(table, flag="")) for table in tables_alone(paper)
         ],
