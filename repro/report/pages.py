@@ -52,7 +52,7 @@ from repro.report.views.readings import readings_view, ruled_out_by, settings_of
 from repro.report.views.reasons import strengths
 from repro.report.views.runs import runs_view
 from repro.report.views.search_box import search_rows
-from repro.report.views.times import time_cells
+from repro.report.views.times import time_cells, times_drawn
 from repro.report.words import (
     IMPOSSIBLE,
     MEANINGS,
@@ -114,6 +114,7 @@ def _paper_files(judgement: Judgement, master_seed: str, files: Files, called: s
     runs = runs_view(judgement)
     found = everything(judgement.findings, judgement.audit, settings_of(paper), ruled_out_by(paper))
     times = zip(judgement.certificates, judgement.found_times, strict=True)
+    drawn = times_drawn(judgement)
     context = {
         "paper": paper,
         "called": called,
@@ -131,6 +132,7 @@ def _paper_files(judgement: Judgement, master_seed: str, files: Files, called: s
             (read_words(table), *read_lines(table, flag="")) for table in tables_alone(paper)
         ],
         "certificates": [(certificate, time_cells(certificate, own)) for certificate, own in times],
+        "times_drawn": drawn,
         "readings": readings_view(judgement),
         "besides": judgement.besides,
         "reading_repeats": judgement.reading_repeats,
@@ -141,6 +143,7 @@ def _paper_files(judgement: Judgement, master_seed: str, files: Files, called: s
     files[f"{paper.key}.html"] = render("paper.html", context)
     files[f"{paper.key}.md"] = render("paper.md", context)
     files |= _data(judgement, entry, drawings) | runs.files(paper.key)
+    files |= {f"tables/{paper.key}-{n}.csv": csv_text(d.frame, DIGITS) for n, d in drawn}
     return entry
 
 
