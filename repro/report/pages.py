@@ -11,7 +11,6 @@ from types import MappingProxyType
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 from markupsafe import Markup
 
-from repro.audit.alone import tables_alone
 from repro.audit.arms import rows_of_arm
 from repro.judge.findings import LEVEL
 from repro.judge.judgement import Judgement
@@ -48,11 +47,11 @@ from repro.report.views.calibration import truthful
 from repro.report.views.conclusions import concluded
 from repro.report.views.findings import Shown, bare_table, everything, table_view, tallies
 from repro.report.views.heat_map import heat_map
-from repro.report.views.readings import readings_view, ruled_out_by, settings_of
-from repro.report.views.reasons import strengths
+from repro.report.views.readings import ruled_out_by, settings_of
 from repro.report.views.runs import runs_view
 from repro.report.views.search_box import search_rows
-from repro.report.views.times import time_cells, times_drawn
+from repro.report.views.times import times_drawn
+from repro.report.views.weighed import weighed
 from repro.report.words import (
     IMPOSSIBLE,
     MEANINGS,
@@ -63,7 +62,6 @@ from repro.report.words import (
     markdown_cell,
     number,
 )
-from repro.tables.audit_words import read_lines, read_words
 from repro.tables.rows import AuditRow
 
 Files = dict[str, str | bytes]
@@ -113,7 +111,6 @@ def _paper_files(judgement: Judgement, master_seed: str, files: Files, called: s
     calibrated = calibration()["rows"]
     runs = runs_view(judgement)
     found = everything(judgement.findings, judgement.audit, settings_of(paper), ruled_out_by(paper))
-    times = zip(judgement.certificates, judgement.found_times, strict=True)
     drawn = times_drawn(judgement)
     context = {
         "paper": paper,
@@ -126,16 +123,8 @@ def _paper_files(judgement: Judgement, master_seed: str, files: Files, called: s
         "tallies": tallies(found),
         **_printed(paper, found, judgement.audit),
         **runs.context(),
-        "audit": judgement.audit,
-        "strengths": strengths(judgement.audit, found),
-        "alone": [
-            (read_words(table), *read_lines(table, flag="")) for table in tables_alone(paper)
-        ],
-        "certificates": [(certificate, time_cells(certificate, own)) for certificate, own in times],
+        **weighed(judgement, found),
         "times_drawn": drawn,
-        "readings": readings_view(judgement),
-        "besides": judgement.besides,
-        "reading_repeats": judgement.reading_repeats,
         "standings": tuple(map(standings_view, judgement.standings)),
         "drawings": drawings,
         "provenance": entry["provenance"],
