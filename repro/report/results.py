@@ -13,6 +13,7 @@ from repro.judge.counting import counts
 from repro.judge.judgement import Judgement
 from repro.model.assumptions import Assumption
 from repro.report.calibration import calibration
+from repro.report.cited import cited
 from repro.report.plain_rows import rows_of_standings, rows_of_tests
 from repro.tables.rows import Grade
 
@@ -31,6 +32,7 @@ def paper_result(judgement: Judgement, master_seed: str) -> Json:
     return {
         "key": paper.key,
         "title": paper.source.title,
+        "cited": cited(paper.key, paper.source),
         "control": paper.control,
         "summary": paper.summary,
         "provenance": {

@@ -25,7 +25,7 @@ def test_the_pointer_opens_the_evidence_of_a_number_and_leaving_closes_it(visit:
 
     for said in (
         "Table 2 · F1 Mean · PSO",
-        "✖ contradicted (higher)",
+        "✖ contradicted (re-run higher)",
         "printed\n1.2×10",
         "accepted",
         "95 % prediction interval by 2000 tables that may come next, from 2 repeats",

@@ -22,7 +22,7 @@ def page(tmp_path_factory: pytest.TempPathFactory) -> str:
     with Store(folder / "store") as store:
         tasks = plan([SHOWING_AN_ARM], 1)
         write_pages(store, [SHOWING_AN_ARM], tasks, folder, [SHOWING_AN_ARM.key])
-    return (folder / "doe2021.html").read_text(encoding="utf-8")
+    return (folder / "doe2021.arm.html").read_text(encoding="utf-8")
 
 
 def test_the_bundle_was_built_from_the_files_beside_it() -> None:
@@ -70,4 +70,6 @@ def test_text_in_a_scene_can_neither_end_it_nor_become_markup(page: str) -> None
 def test_a_page_without_an_arm_carries_no_viewer(tmp_path: Path) -> None:
     with Store(tmp_path / "store") as store:
         write_pages(store, [PAPER], plan([PAPER], 1), tmp_path, [PAPER.key])
-    assert "three.js" not in (tmp_path / "doe2021.html").read_text(encoding="utf-8")
+    assert not (tmp_path / "doe2021.arm.html").exists()
+    for page in tmp_path.glob("*.html"):
+        assert "three.js" not in page.read_text(encoding="utf-8")

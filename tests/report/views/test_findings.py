@@ -47,7 +47,7 @@ def test_what_turns_a_verdict_stands_with_its_outcome_and_all_that_was_tried_is_
 
     ((turn),) = shown.turns
     assert (turn.name, [one.verdict for one in turn.outcomes]) == ("scalar", ["≈ consistent"])
-    assert shown.own == "✖ contradicted (higher)"
+    assert shown.own == "✖ contradicted (re-run higher)"
     assert shown.brief == "on scalar"
     assert shown.tried == "it holds under 1 of 2 readings that were tried besides"
     assert [one.repeats for one in shown.readings] == [4, 4]

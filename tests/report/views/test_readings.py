@@ -4,7 +4,7 @@ import pytest
 
 from repro.judge.judgement import judge
 from repro.judge.other_readings import FARTHEST
-from repro.report.pages import render
+from repro.report.rendering import render
 from repro.report.views.readings import ReadingsView, readings_view, ruled_out_by, settings_of
 from repro.report.views.turned import turned_by
 from tests.judge.test_other_readings import WIDER, evidence, open_paper
@@ -99,7 +99,7 @@ def test_two_forms_of_a_controls_search_stand_side_by_side() -> None:
     assert form.counts[0] == {"contradicted": 2}
     assert form.counts[1] == {"reproduced": 1, "contradicted": 1}
     assert form.rows[0] == (
-        *("Table 1, bowl mean, guess", "0.05", "5", "✖ contradicted (higher)"),
+        *("Table 1, bowl mean, guess", "0.05", "5", "✖ contradicted (re-run higher)"),
         *("0.05000", "✔ reproduced"),
     )
     for page in ("md", "html"):
