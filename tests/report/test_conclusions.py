@@ -165,5 +165,6 @@ def test_the_index_has_the_first_sentence_of_each_paper(doe: dict[str, str]) -> 
 def test_markdown_says_the_same_with_links(doe: dict[str, str]) -> None:
     assert (
         "[2.357 s](doe2021.tables.html#table-3-woa-mean) can be had, and "
-        "[2.356 s](doe2021.optimum.html#optimum-motion-arm) is proved to be the least." in doe["doe2021.md"]
+        "[2.356 s](doe2021.optimum.html#optimum-motion-arm) is proved to be the least."
+        in doe["doe2021.md"]
     )
