@@ -49,9 +49,9 @@ def run(options: Namespace) -> int:
         warn(f"run {record.task.name} failed: {record.reason}")
     for warned in found.warnings:
         warn(f"{warned.kind}: {warned.says}")
-    sys.stdout.write(f"page: {page}\n")
     for missing in found.missing:
-        sys.stdout.write(f"{missing.says}\n")
+        warn(missing.says)
+    sys.stdout.write(f"page: {page}\n")
     return SOME_RUN_FAILED if found.failed else 0
 
 

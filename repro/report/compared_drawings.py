@@ -72,7 +72,7 @@ def _drawn(part: Part, place: str, found: Comparison) -> Iterator[tuple[str, Dra
         lambda: ecdf_plot(experiment, evidence), title=f"{name}: share of targets reached",
         identifier=f"c{place}e",
     )  # fmt: skip
-    names, ranks = average_ranks(evidence)
+    names, ranks = average_ranks(evidence, part)
     if ranks:
         yield f"{place}-ranks", drawing(
             lambda: rank_plot(names, ranks, {}), title=f"{name}: average ranks",
@@ -114,12 +114,19 @@ def _shown_name(algorithm: str, kind: str) -> str:
     return f"{algorithm}, {kind}" if kind == "equal evaluations" else algorithm
 
 
-def average_ranks(evidence: Evidence) -> tuple[tuple[str, ...], Friedman | None]:
-    """Return who was run on every problem, and Friedman's test of them where there is one."""
+def average_ranks(evidence: Evidence, part: Part) -> tuple[tuple[str, ...], Friedman | None]:
+    """Return who was run on every problem at equal budgets, and Friedman's test of them if any."""
     (experiment,) = evidence.experiments
+    fair = {
+        _shown_name(row.algorithm, row.kind)
+        for problem in part.found.standings.problems
+        for row in problem.rows
+        if row.rank is not None
+    }
     names = tuple(
         name for name in experiment.algorithms
-        if all((experiment.name, p, name) in evidence.runs for p in experiment.problems)
+        if name in fair
+        and all((experiment.name, p, name) in evidence.runs for p in experiment.problems)
     )  # fmt: skip
     if len(names) < 3 or len(experiment.problems) < 2:
         return names, None
