@@ -15,6 +15,7 @@ from repro.commands.compare_entrants import check_name, stem
 from repro.commands.comparing import compared, silence
 from repro.commands.progress import Progress
 from repro.commands.shown_rows import warn
+from repro.determinism.read_anew import read_anew
 from repro.errors import InputError
 from repro.judge.comparison import Asked, Comparison
 from repro.optimisers.held_search import entrant_of
@@ -94,6 +95,7 @@ def compare(
     all; `timeout` is in seconds a run; with `centre_bias` it is run on moved optima, too. Raises
     InputError for what cannot be used.
     """
+    read_anew()  # a module may have been edited since the last call
     given = search if isinstance(search, Mapping) else {name or _called(search): search}
     options = Namespace(
         keys=[str(key) for key in papers], store=Path(store), workers=workers, dask=None, say=warn

@@ -92,11 +92,13 @@ def rows_of_bias(found: CentreBias | None) -> list[Row]:
 
     Names are those of `Bias`, and `low` and `high` are the ends of its interval.
     """
+    if found is None:
+        return []
     return [
         {
             "experiment": found.experiment.name, "algorithm": bias.algorithm, "shift": bias.shift,
             "runs": found.runs, "ratio": bias.ratio, "low": bias.interval[0],
             "high": bias.interval[1], "p": bias.p, "flagged": bias.flagged,
         }
-        for bias in (found.biases if found else ())
+        for bias in found.biases
     ]  # fmt: skip
