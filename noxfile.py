@@ -152,7 +152,9 @@ def browser(session: nox.Session) -> None:
     """Look at the pages in Chromium: by mouse, by keyboard, without script, on a phone, printed."""
     _install(session, "browser")
     environment = {**TESTING, "REPRO_BROWSER": _chromium(session)}
-    session.run("pytest", "-m", "browser", *SPREAD, *session.posargs, env=environment)
+    # one file holds most of these tests, and all share one folder of pages
+    spread = (*SPREAD, "--dist", "worksteal")
+    session.run("pytest", "-m", "browser", *spread, *session.posargs, env=environment)
 
 
 @nox.session
