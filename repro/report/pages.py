@@ -1,7 +1,6 @@
 """Writing the reports folder: pages, figures, tables and results.json."""
 
 import shlex
-from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -15,7 +14,7 @@ from repro.model.identifiers import anchor
 from repro.model.paper import Paper
 from repro.report.calibration import calibration
 from repro.report.drawings.draw import Drawing, draw
-from repro.report.files import usable_folder, write_file
+from repro.report.files import remove_ours, usable_folder, write_file
 from repro.report.frames import DIGITS, FINDING, csv_text, findings_frame
 from repro.report.glossary import PAGE, glossary
 from repro.report.rendering import render
@@ -23,6 +22,7 @@ from repro.report.results import (
     PROVENANCE,
     Environments,
     Json,
+    cell_counts,
     impossible_rows,
     merged,
     merged_provenance,
@@ -33,7 +33,15 @@ from repro.report.results import (
     results_text,
     verdict_counts,
 )
-from repro.report.rooms import Room, neighbours, page_of, rooms_with
+from repro.report.rooms import (
+    OURS,
+    Room,
+    check_apart,
+    neighbours,
+    page_of,
+    pages_of_paper,
+    rooms_with,
+)
 from repro.report.run_files import packed_runs, place_of_runs
 from repro.report.verdict_pages import VERDICTS, verdict_context
 from repro.report.views.baselines import standings_view
@@ -73,7 +81,10 @@ def write_report(
     entries, made = [], {}
     for judgement in judgements:
         key = judgement.paper.key
-        entries.append(_paper_files(judgement, master_seed, files, called.get(key, "")))
+        entry, own = _paper_files(judgement, master_seed, called.get(key, ""))
+        check_apart(files, own, key)
+        files |= own
+        entries.append(entry)
         made[key] = provenance_entry(judgement, environments.get(key, []), called.get(key, ""))
     results = merged(entries, read_results(folder / "results.json"), known)
     files["results.json"] = results_text(results)
@@ -85,10 +96,12 @@ def write_report(
     files |= index_files(results, read_json(folder / ANOTHER_SEED), all_called) | verdict_files()
     for name, content in files.items():
         write_file(folder / name, content)
+    for page in (page for key in made for page in pages_of_paper(key) if page not in files):
+        remove_ours(folder / page, f'<meta name="generator" content="{OURS}">')
     return results
 
 
-def _paper_files(judgement: Judgement, master_seed: str, files: Files, called: str) -> Json:
+def _paper_files(judgement: Judgement, master_seed: str, called: str) -> tuple[Json, Files]:
     key = judgement.paper.key
     drawings = _drawings(judgement)
     entry = paper_result(judgement, master_seed)
@@ -98,13 +111,13 @@ def _paper_files(judgement: Judgement, master_seed: str, files: Files, called: s
     entry["rooms"] = [room.name for room in rooms]
     context = _context(judgement, entry, drawings, called) | runs.context()
     context["times_drawn"] = times
+    files: Files = {}
     for before, here, after in neighbours(rooms):
         own = {"here": here, "before": before, "after": after, "rooms": rooms}
         files[page_of(key, here)] = render("paper.html", context | own)
     files[f"{key}.md"] = render("paper.md", context)
-    files |= _data(judgement, entry, drawings) | runs.files(key)
     files |= {f"tables/{key}-{name}.csv": csv_text(d.frame, DIGITS) for name, d in times}
-    return entry
+    return entry, files | _data(judgement, entry, drawings) | runs.files(key)
 
 
 def _context(
@@ -123,7 +136,7 @@ def _context(
         "entry": entry,
         "cited": entry["cited"],
         "counts": verdict_counts(entry),
-        "shown_counts": Counter(finding.verdict for finding in judgement.findings),
+        "shown_counts": cell_counts(entry),
         "truthful": truthful(judgement, calibrated),
         "not_calibrated": not calibrated,
         "tallies": tallies(found),
@@ -226,6 +239,7 @@ def index_files(
         "controls": [paper for paper in papers if paper["control"]],
         "others": [paper for paper in papers if not paper["control"]],
         "counts_of": verdict_counts,
+        "shown_of": cell_counts,
         "impossible_of": impossible_rows,
         "verdicts": [v for v in Verdict if v != Verdict.NOT_RUN or not_run],
         "search": search_index(papers, glossary()),

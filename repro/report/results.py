@@ -172,6 +172,11 @@ def impossible_rows(entry: Mapping[str, Any]) -> list[Json]:
     ]
 
 
+def cell_counts(entry: Mapping[str, Any]) -> Counter[str]:
+    """Return how many numbers of a paper's tables have each verdict, each by itself."""
+    return Counter(finding["verdict"] for finding in entry["findings"] if finding["table"])
+
+
 def verdict_counts(entry: Mapping[str, Any]) -> Counter[str]:
     """Return how many results of a paper have each verdict; what is one result counts once."""
     return counts((finding["group"], finding["verdict"]) for finding in entry["findings"])
