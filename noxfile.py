@@ -180,9 +180,10 @@ def adapters(session: nox.Session) -> None:
 
 @nox.session
 def references(session: nox.Session) -> None:
-    """Compare the certificates with two other planners, and test that they agree."""
+    """Ask two other planners: writes repro/judge/planners.json, and tests that they agree."""
     _install(session, "references")
     session.run("repro", "references", *session.posargs)
+    session.run("python", "-m", "tests.outside_times")
     asked = (
         "judge/test_outside_planners",
         "robotics/test_chain",

@@ -37,7 +37,8 @@ def rest_to_rest(problem: MinimumTime, units: Sequence[str]) -> LeastTime:
         method=METHOD,
         at=tuple(at.tolist()) if obeys else (),
         binding=tuple(
-            f"segment {k}: {_binding(problem, each, units)}" for k, each in enumerate(times, start=1)
+            f"segment {k}: {_binding(problem, each, units)}"
+            for k, each in enumerate(times, start=1)
         ),
         box=problem.durations,
     )
