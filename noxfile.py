@@ -106,6 +106,7 @@ def again(session: nox.Session) -> None:
 def tests(session: nox.Session) -> None:
     """Run the tests, a full-size re-run of the papers' protocols among them."""
     _install(session, "test")
+    session.install("--require-hashes", "--no-deps", "-r", "requirements/urdf.lock")
     kinds = ("-m", "not browser and not cluster and not adapters")
     session.run("pytest", *kinds, *SPREAD, *session.posargs, env=TESTING)
 
@@ -253,9 +254,10 @@ def lock(session: nox.Session) -> None:
             *("--universal", "--python-version", "3.11", "--generate-hashes", "--upgrade"),
             *("--no-annotate", "--no-header", "--quiet", "-o", f"requirements/{name}.lock"),
         )
-    for name in PEERS:
+    for name in (*PEERS, "urdf"):
+        alone = ("--no-deps",) if name == "urdf" else ()
         session.run(
-            *("uv", "pip", "compile", f"requirements/{name}.in", "--universal"),
+            *("uv", "pip", "compile", f"requirements/{name}.in", "--universal", *alone),
             *("--python-version", "3.11", "--generate-hashes", "--upgrade", "--no-annotate"),
             *("--no-header", "--quiet", "-o", f"requirements/{name}.lock"),
         )
