@@ -117,8 +117,10 @@ if __name__ == "__main__":
 
     from repro.__main__ import main
     from repro.commands.arguments import _TEXTS
+    from repro.commands.surroundings import prepare
     from tests.small_papers import PAPER, let_be_known
 
+    prepare()
     let_be_known(pytest.MonkeyPatch(), PAPER)
     for command in _TEXTS:
         importlib.import_module(f"repro.commands.{command}")
