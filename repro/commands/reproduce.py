@@ -47,8 +47,9 @@ def run(options: Namespace) -> int:
             failed.extend(run_lacking(store, more, options, Progress()))
 
         results = write_pages(
-            store, chosen, tasks, options.reports, known, deeper, called=options.called
-        )
+            store, chosen, tasks, options.reports, known, deeper,
+            called=options.called, places=options.places,
+        )  # fmt: skip
         written.remember(store)
         return failed, results
 

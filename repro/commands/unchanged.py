@@ -59,17 +59,17 @@ class Written:
     def _digests(self, runs: str) -> str:
         """Return the place of the reports, a digest of what they follow from, and one of them."""
         digest = hashlib.sha256()
-        for part in (self.chosen, self.known, *_installed(), *_machine()):
+        for part in (self.chosen, self.known, *installed(), *machine()):
             digest.update(f"{part}\0".encode())
         for folder in (*repro.__path__, *self.declarations):
-            digest.update(_tree(Path(folder)))
+            digest.update(tree(Path(folder)))
         for task in self.tasks:
             digest.update(task.key.encode())
         digest.update(runs.encode())
-        return f"{self.reports.resolve()}\n{digest.hexdigest()}\n{_tree(self.reports).hex()}\n"
+        return f"{self.reports.resolve()}\n{digest.hexdigest()}\n{tree(self.reports).hex()}\n"
 
 
-def _tree(folder: Path) -> bytes:
+def tree(folder: Path) -> bytes:
     """Return a digest of the names and the bytes of all files in a folder but compiled ones."""
     digest = hashlib.sha256()
     for path in sorted(folder.rglob("*")):
@@ -80,13 +80,15 @@ def _tree(folder: Path) -> bytes:
     return digest.digest()
 
 
-def _installed() -> Iterator[str]:
+def installed() -> Iterator[str]:
+    """Yield the version of Python and of every installed package."""
     yield sys.version
     for distribution in importlib.metadata.distributions():
         yield f"{distribution.name} {distribution.version}"
 
 
-def _machine() -> Iterator[str]:
+def machine() -> Iterator[str]:
+    """Yield what decides the last bits of a run here, and where it is made."""
     for name, value in provenance().items():
         if name not in _OF_THE_DAY:
             yield f"{name} {value}"

@@ -3,7 +3,7 @@
 import shlex
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 from types import MappingProxyType
@@ -68,33 +68,53 @@ Files = dict[str, str | bytes]
 ANOTHER_SEED = "another-seed.json"
 
 
-def write_report(
-    judgements: Iterable[Judgement],
-    folder: Path,
-    known: Sequence[str],
-    *,
-    environments: Mapping[str, Environments],
-    master_seed: str = "",
-    called: Mapping[str, str] = MappingProxyType({}),
-) -> Json:
-    """Write the pages of what was judged, the index and results.json; return the results.
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Made:
+    """What is written of one paper: its entries in results.json and provenance.json, its files.
+
+    `files` are by their place in the reports folder; `says` is what a terminal is told besides.
+    Of so many `tasks` as many runs are `missing`.
+    """
+
+    entry: Json
+    provenance: Json
+    files: Files
+    says: Sequence[str] = ()
+    tasks: int = 0
+    missing: int = 0
+
+
+def made_of(
+    judgement: Judgement, environments: Environments, master_seed: str = "", called: str = ""
+) -> Made:
+    """Return all that is written of a paper.
+
+    `environments` says in what its runs were made; that and how long they took stands in a file of
+    its own, so that equal runs give equal pages. `called` says what a paper from elsewhere than
+    this checkout is called at the command line.
+    """
+    files: Files = {}
+    entry = _paper_files(judgement, master_seed, files, called)
+    provenance = provenance_entry(judgement, environments, called)
+    outside = [each.says for each in judgement.outside if each.outside]
+    says = [f"{judgement.paper.key}, {each}" for each in outside]
+    return Made(entry=entry, provenance=provenance, files=files, says=says)
+
+
+def write_report(papers: Iterable[Made], folder: Path, known: Sequence[str]) -> Json:
+    """Write the files of some papers, the index and results.json; return the results.
 
     `known` are the keys of all papers, in their order; entries of others are kept from before.
-    `environments` says by paper in what its runs were made; that and how long they took stands in
-    a file of its own, so that equal runs give equal pages. `called` says what papers from
-    elsewhere than this checkout are called at the command line.
     """
     usable_folder(folder)
-    files: Files = {}
-    entries, made = [], {}
-    for judgement in judgements:
-        key = judgement.paper.key
-        entries.append(_paper_files(judgement, master_seed, files, called.get(key, "")))
-        made[key] = provenance_entry(judgement, environments.get(key, []), called.get(key, ""))
+    made = {each.entry["key"]: each for each in papers}
+    files: Files = {name: text for each in made.values() for name, text in each.files.items()}
+    entries = [each.entry for each in made.values()]
     results = merged(entries, read_results(folder / "results.json"), known)
     files["results.json"] = results_text(results)
     kept = [entry["key"] for entry in results["papers"]]
-    provenance = merged_provenance(made, read_json(folder / PROVENANCE), kept)
+    fresh = {key: each.provenance for key, each in made.items()}
+    provenance = merged_provenance(fresh, read_json(folder / PROVENANCE), kept)
     files[PROVENANCE] = results_text(provenance)
     # pages of papers that were made by another call stay, and so does what those are called
     all_called = {key: each.get("called", "") for key, each in provenance["papers"].items()}

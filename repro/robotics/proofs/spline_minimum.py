@@ -22,7 +22,6 @@ from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import linprog
 
 from repro.errors import NotProvedError
 from repro.robotics.proofs.branch_and_bound import least_total
@@ -171,6 +170,8 @@ def _optimum(
 
     Where the longest durations allowed are too short for it, it is that without them.
     """
+    from scipy.optimize import linprog  # noqa: PLC0415 (slow to load)
+
     places = list(itertools.product(range(problem.segments), range(len(problem.velocity))))
     cuts = [cut(model, *place, Fraction(k, 4)) for place in places for k in range(5)]
     bounds: tuple[float, float | None] = problem.durations

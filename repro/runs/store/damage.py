@@ -1,7 +1,7 @@
 """Setting aside what is damaged in a store: never trusted again, never deleted."""
 
 import sqlite3
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import closing, suppress
 from itertools import count
 from pathlib import Path
@@ -12,14 +12,28 @@ from repro.runs.store.row import COLUMNS, Row, digest, unpack, whole_curve
 SIDE_FOLDER = "set-aside"
 
 
-def row_query(database: sqlite3.Connection) -> str:
+def row_query(database: sqlite3.Connection, where: str = "run.id = ?") -> str:
     """Return the query of one row by its id; a store of schema 1 has no column `packed`."""
     columns = database.execute("pragma table_info(curve)").fetchall()
     packed = "packed" if any(column[1] == "packed" for column in columns) else "0"
     return (
         f"select {COLUMNS}, sha, json, y, {packed} "  # noqa: S608
-        "from run left join curve using (id) left join env on env.id = run.env where run.id = ?"
+        f"from run left join curve using (id) left join env on env.id = run.env where {where}"
     )
+
+
+def rows_of(database: sqlite3.Connection, keys: Sequence[str]) -> dict[str, Row]:
+    """Return by key the rows that the index has under some keys, whole or not."""
+    query = row_query(database, f"run.key in ({', '.join('?' * len(keys))})")
+    return {str(row[0]): row for row in database.execute(query, keys)}
+
+
+def index_hides_a_row(database: sqlite3.Connection) -> bool:
+    """Return whether the index lacks a row that the table has."""
+    query = """select count(*) from run as whole not indexed where not exists (
+        select 1 from run indexed by sqlite_autoindex_run_1
+        where key = whole.key and id = whole.id)"""
+    return bool(database.execute(query).fetchone() != (0,))
 
 
 def damaged_rows(database: sqlite3.Connection) -> Iterator[str]:

@@ -70,8 +70,7 @@ def open_to_read(path: Path, *, alone: bool) -> sqlite3.Connection:
         database = sqlite3.connect(":memory:")
         database.executescript(TABLES)
         return database
-    journal = path.with_name(f"{NAME}-wal")
-    settled = alone and not (journal.exists() and journal.stat().st_size)
+    settled = alone and is_settled(path)
     with refusing(path):
         place = f"{path.resolve().as_uri()}?mode=ro{'&immutable=1' if settled else ''}"
         database = sqlite3.connect(place, uri=True)
@@ -87,6 +86,12 @@ def open_to_read(path: Path, *, alone: bool) -> sqlite3.Connection:
         return database
     database.close()
     return open_to_read(path.with_name("nothing is made yet"), alone=alone)
+
+
+def is_settled(path: Path) -> bool:
+    """Return whether all that is stored stands in the file, and nothing in a journal beside it."""
+    journal = path.with_name(f"{NAME}-wal")
+    return not (journal.exists() and journal.stat().st_size)
 
 
 def read_any_text(database: sqlite3.Connection) -> None:

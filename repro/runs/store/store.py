@@ -12,9 +12,12 @@ from typing import TYPE_CHECKING, Any, Self
 from repro.errors import DamageError, StoreError
 from repro.runs.plan import Task
 from repro.runs.run import Record
+from repro.runs.store.contents import contents, environments
 from repro.runs.store.damage import (
     damaged_rows,
+    index_hides_a_row,
     row_query,
+    rows_of,
     set_file_aside,
     take_over,
     whole_rows,
@@ -22,6 +25,7 @@ from repro.runs.store.damage import (
 from repro.runs.store.file import (
     NAME,
     UNREADABLE,
+    is_settled,
     open_to_read,
     open_to_write,
     refusing,
@@ -33,6 +37,7 @@ if TYPE_CHECKING:
     from io import BufferedReader
 
 _NAMED = 20  # damaged rows that are named one by one
+_ASKED = 500  # keys in one query: not every SQLite takes more than 999
 _AT_ONCE = 1000  # rows that one transaction takes over from a damaged file
 
 
@@ -148,41 +153,56 @@ class Store:
         """Raise DamageError where the index hides a row; looked at once."""
         if self._hides_none:
             return
-        query = """select count(*) from run as whole not indexed where not exists (
-            select 1 from run indexed by sqlite_autoindex_run_1
-            where key = whole.key and id = whole.id)"""
         with self._refusing():
-            if self._database.execute(query).fetchone() != (0,):
+            if index_hides_a_row(self._database):
                 message = f"{self.path}: the index is damaged"
                 raise DamageError(message)
         self._hides_none = True
 
     def _record(self, task: Task, number: int) -> Record:
         with self._refusing():
-            row = self._database.execute(self._row, (number,)).fetchone()
-            record = record_of(task, row)
+            record = record_of(task, self._database.execute(self._row, (number,)).fetchone())
             if record is None:
                 message = f"{self.path}: the row of {task.name} is damaged"
                 raise DamageError(message)
         return record
 
-    def finished(self) -> frozenset[str]:
-        """Return the keys of all finished runs."""
+    def finished(self, paper: str | None = None) -> frozenset[str]:
+        """Return the keys of all finished runs, or of those of one paper."""
+        query = "select key from run not indexed where reason is null"
         with self._refusing():
-            rows = self._database.execute("select key from run where reason is null")
+            own = (f"{query} and paper = ?", (paper,)) if paper else (query,)
+            rows = self._database.execute(*own)
             return frozenset(key for (key,) in rows)
 
     def fingerprint(self) -> str | None:
         """Return a digest of the whole file; None while a reader keeps runs in the journal."""
-        with self._refusing():
-            (busy, *_) = self._database.execute("pragma wal_checkpoint(truncate)").fetchone()
-        if busy:
+        if self._writing:
+            with self._refusing():
+                (busy, *_) = self._database.execute("pragma wal_checkpoint(truncate)").fetchone()
+            if busy:
+                return None
+        elif self._lock is None or not is_settled(self.path):
             return None
         if self._file is None:
             # open as long as the database: closing a handle of a file drops all its locks (POSIX)
             self._file = self.path.open("rb")
         self._file.seek(0)
         return hashlib.file_digest(self._file, "sha256").hexdigest()
+
+    def contents(self) -> dict[str, str]:
+        """Return a digest of all that is stored of each paper, whole or not."""
+        with self._refusing():
+            return contents(self._database)
+
+    @contextmanager
+    def set_down(self) -> Iterator[None]:
+        """Close the file for a while, and keep the lock: copies of this process may read it."""
+        self._close()
+        try:
+            yield
+        finally:
+            self._open()
 
     def repeats(self) -> int:
         """Return how many repeats the runs are of; a damaged row adds one at most."""
@@ -214,22 +234,23 @@ class Store:
 
         Raises DamageError for a row that is not what was written.
         """
-        for task in tasks:
-            number = self._number(task)
-            if number is None:
-                self._refuse_hidden()
-            else:
-                yield self._record(task, number)
+        left = iter(tasks)
+        while some := list(islice(left, _ASKED)):
+            with self._refusing():
+                rows = rows_of(self._database, [task.key for task in some])
+            for task in some:
+                if record := record_of(task, rows.get(task.key)):
+                    yield record
+                elif (number := self._number(task)) is not None:
+                    yield self._record(task, number)
+                else:
+                    self._refuse_hidden()
 
     def environments(self, tasks: Iterable[Task]) -> list[dict[str, object]]:
         """Return the environments in which the stored runs of these tasks were made, in order."""
-        wanted = {task.key for task in tasks}
         with self._refusing():
-            rows = self._database.execute("select key, env from run not indexed")
-            used = {env for key, env in rows if key in wanted}
-            texts = dict(self._database.execute("select id, json from env").fetchall())
             try:
-                return [json.loads(texts[env]) for env in sorted(used)]
+                return environments(self._database, tasks)
             except (KeyError, TypeError, ValueError):
                 message = f"{self.path}: the environment of a run is damaged"
                 raise DamageError(message) from None
