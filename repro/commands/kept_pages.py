@@ -15,17 +15,17 @@ from pathlib import Path
 
 import repro
 from repro.commands.catalogue import of_this_house
-from repro.commands.unchanged import installed, machine, tree
+from repro.commands.kept_listing import FOLDER
+from repro.commands.unchanged import machine
 from repro.determinism.definitions import import_closure
 from repro.determinism.source_files import path_of
+from repro.determinism.trees import installed, tree
 from repro.model.paper import Paper
 from repro.report.kept import find, keep
 from repro.report.pages import Made
 from repro.runs.plan import Task
 from repro.runs.store.store import Store
 from repro.runs.studies import studies
-
-FOLDER = "kept"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -3,71 +3,28 @@
 import json
 import sys
 from argparse import Namespace
-from collections import Counter
 from collections.abc import Iterable, Iterator
-from pathlib import Path
 from typing import Any
 
-from repro.commands import catalogue
-from repro.commands.made_before import changed_since, in_words, unreadable
-from repro.commands.shown_rows import warn
-from repro.model.paper import Paper
-from repro.runs.plan import plan
-from repro.runs.store.store import finished_keys
-from repro.runs.studies import studies
+from repro.commands.kept_listing import kept_listing
 
 Row = dict[str, Any]
+_SHOWN = 4  # changed parts that a line names
 
 
 def run(options: Namespace) -> int:
-    """Print the papers; the store is read and not changed."""
-    rows = listing(catalogue.chosen(options), options.repeats, options.store)
+    """Print the papers; the runs in the store are read and not changed."""
+    rows = kept_listing(options.store, options.keys, options.repeats, lambda: _rows(options))
     sys.stdout.write(json.dumps(rows, indent=2) + "\n" if options.json else listing_text(rows))
     return 0
 
 
-def listing(papers: Iterable[Paper], repeats: int, store: Path) -> list[Row]:
-    """Return one row per paper; the store is read and not changed."""
-    finished = finished_keys(store)
-    if unreadable(store):
-        warn(f"what the runs in {store} were made of cannot be read: no change is named")
-    return [_row(paper, repeats, finished, store) for paper in papers]
+def _rows(options: Namespace) -> list[Row]:
+    # papers are loaded where nothing is kept of them: that takes most of the time
+    from repro.commands import catalogue  # noqa: PLC0415
+    from repro.commands.listed_papers import listing  # noqa: PLC0415
 
-
-def _row(paper: Paper, repeats: int, finished: frozenset[str], store: Path) -> Row:
-    tasks = plan([paper], repeats)
-    lacking = {(t.experiment, t.problem, t.algorithm) for t in tasks if t.key not in finished}
-    changed = changed_since(store, paper) if lacking else {}
-    total = Counter(task.experiment for task in tasks)
-    done = Counter(task.experiment for task in tasks if task.key in finished)
-    experiments, others = (
-        [
-            {
-                "name": experiment.name,
-                "problems": list(experiment.problems),
-                "algorithms": list(experiment.algorithms),
-                "done": done[experiment.name],
-                "missing": total[experiment.name] - done[experiment.name],
-                "changed": [
-                    {"problem": problem, "algorithm": algorithm, "parts": list(parts)}
-                    for (name, problem, algorithm), parts in changed.items()
-                    if name == experiment.name and (name, problem, algorithm) in lacking
-                ],
-            }
-            for experiment in group
-        ]
-        for group in (paper.experiments, [s.experiment for s in studies(paper, repeats)])
-    )
-    return {
-        "key": paper.key,
-        "title": paper.source.title,
-        "tables": [table.label for table in paper.tables],
-        "claims": len(paper.claims),
-        "experiments": experiments,
-        "studies": others,
-        "done": done.total(),
-        "missing": total.total() - done.total(),
-    }
+    return listing(catalogue.chosen(options), options.repeats, options.store)
 
 
 def _changes(changed: Iterable[Row]) -> Iterator[str]:
@@ -100,3 +57,10 @@ def listing_text(rows: list[Row]) -> str:
             done, missing = (sum(o[state] for o in others) for state in ("done", "missing"))
             lines.append(f"  {len(others)} {noun} besides: {done} runs done, {missing} missing")
     return "\n".join(lines) + "\n"
+
+
+def in_words(changed: Iterable[str]) -> str:
+    """Return changed parts as the end of "changed since: …"."""
+    names = list(dict.fromkeys(changed))
+    more = f" and {len(names) - _SHOWN} more" if len(names) > _SHOWN else ""
+    return ", ".join(names[:_SHOWN]) + more

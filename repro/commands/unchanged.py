@@ -7,14 +7,13 @@ bytes. Whatever it does not know of counts as a change: without a digest pages a
 """
 
 import hashlib
-import importlib.metadata
-import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import repro
 from repro.determinism.provenance import provenance
+from repro.determinism.trees import installed, tree
 from repro.report.files import write_file
 from repro.runs.plan import Task
 from repro.runs.store.store import Store
@@ -67,24 +66,6 @@ class Written:
             digest.update(task.key.encode())
         digest.update(runs.encode())
         return f"{self.reports.resolve()}\n{digest.hexdigest()}\n{tree(self.reports).hex()}\n"
-
-
-def tree(folder: Path) -> bytes:
-    """Return a digest of the names and the bytes of all files in a folder but compiled ones."""
-    digest = hashlib.sha256()
-    for path in sorted(folder.rglob("*")):
-        if path.is_file() and "__pycache__" not in path.parts:
-            content = path.read_bytes()
-            digest.update(f"{path.relative_to(folder)}\0{len(content)}\0".encode())
-            digest.update(content)
-    return digest.digest()
-
-
-def installed() -> Iterator[str]:
-    """Yield the version of Python and of every installed package."""
-    yield sys.version
-    for distribution in importlib.metadata.distributions():
-        yield f"{distribution.name} {distribution.version}"
 
 
 def machine() -> Iterator[str]:

@@ -8,7 +8,8 @@ from importlib import import_module
 from pathlib import Path
 from types import MappingProxyType
 
-from repro.commands.kept_pages import FOLDER, Asked, extent_of, names_of, packed, unpacked
+from repro.commands.kept_listing import FOLDER
+from repro.commands.kept_pages import Asked, extent_of, names_of, packed, unpacked
 from repro.commands.shown_rows import warn
 from repro.judge.judgement import Judgement, judge
 from repro.model.evidence import Cell, Runs

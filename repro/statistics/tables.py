@@ -1,5 +1,6 @@
 """What a table of n runs may show, by what N stored runs showed."""
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -141,7 +142,8 @@ def half_equal(values: Vector) -> bool:
 
 def quantile_interval(draws: Vector, level: float) -> tuple[float, float]:
     """Return the central interval of `draws` that holds `level` of them, ends being draws."""
-    tail = (1.0 - level) / 2.0
-    low = np.quantile(draws, tail, method="lower")
-    high = np.quantile(draws, 1.0 - tail, method="higher")
-    return float(low), float(high)
+    tail, last = (1.0 - level) / 2.0, len(draws) - 1
+    ordered = np.sort(draws)
+    if np.isnan(ordered[-1]):
+        return np.nan, np.nan
+    return float(ordered[int(last * tail)]), float(ordered[math.ceil(last * (1.0 - tail))])

@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
+from repro.commands.kept_listing import FOLDER
 from repro.commands.kept_pages import (
-    FOLDER,
     _surroundings,
     declared_by,
     extent_of,

@@ -6,8 +6,9 @@ from contextlib import closing, suppress
 from itertools import count
 from pathlib import Path
 
-from repro.runs.store.file import NAME, UNREADABLE, read_any_text
+from repro.runs.store.file import UNREADABLE, read_any_text
 from repro.runs.store.row import COLUMNS, Row, digest, unpack, whole_curve
+from repro.runs.store.settled import NAME
 
 SIDE_FOLDER = "set-aside"
 

@@ -8,8 +8,8 @@ from pathlib import Path
 
 from repro.errors import DamageError, InputError, StoreError
 from repro.runs.store.row import LONGEST
+from repro.runs.store.settled import NAME, is_settled
 
-NAME = "runs.sqlite"
 SCHEMA = 2
 APPLICATION = 0x52455052  # "REPR"
 # what SQLite says where the place is at fault and not the file
@@ -86,12 +86,6 @@ def open_to_read(path: Path, *, alone: bool) -> sqlite3.Connection:
         return database
     database.close()
     return open_to_read(path.with_name("nothing is made yet"), alone=alone)
-
-
-def is_settled(path: Path) -> bool:
-    """Return whether all that is stored stands in the file, and nothing in a journal beside it."""
-    journal = path.with_name(f"{NAME}-wal")
-    return not (journal.exists() and journal.stat().st_size)
 
 
 def read_any_text(database: sqlite3.Connection) -> None:

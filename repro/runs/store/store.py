@@ -22,16 +22,10 @@ from repro.runs.store.damage import (
     take_over,
     whole_rows,
 )
-from repro.runs.store.file import (
-    NAME,
-    UNREADABLE,
-    is_settled,
-    open_to_read,
-    open_to_write,
-    refusing,
-)
+from repro.runs.store.file import UNREADABLE, open_to_read, open_to_write, refusing
 from repro.runs.store.lock import lock, lock_to_read
 from repro.runs.store.row import COLUMNS, curve_of, digest, pack, record_of, values_of
+from repro.runs.store.settled import NAME, is_settled
 
 if TYPE_CHECKING:
     from io import BufferedReader
