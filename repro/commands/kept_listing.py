@@ -9,11 +9,14 @@ import importlib.metadata
 import importlib.util
 import json
 import re
-from collections.abc import Callable, Sequence
+import sys
+from argparse import Namespace
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 import repro
+from repro.commands.listing_text import listing_text
 from repro.determinism.trees import installed, tree
 from repro.report.kept import find, keep
 from repro.runs.store.settled import settled_digest
@@ -25,17 +28,28 @@ Rows = list[dict[str, Any]]
 _KEY = re.compile(r"\w+")  # anything else may be a path
 
 
-def kept_listing(store: Path, keys: Sequence[str], repeats: int, make: Callable[[], Rows]) -> Rows:
-    """Return what was kept of a listing; else what `make` returns, which is kept if it is whole."""
-    name = _name(store, keys, repeats)
-    content = find(store / FOLDER, name) if name else None
+def told(options: Namespace) -> bool:
+    """Print the listing that is asked for if it is kept, and say whether it is.
+
+    `options.kept` is the name under which it is, or may be from now on.
+    """
+    options.kept = _name(options.store, options.keys, options.repeats)
+    content = find(options.store / FOLDER, options.kept) if options.kept else None
     if content is not None:
-        found: Rows = json.loads(content)
-        return found
-    rows = make()
-    if name and (not keys or {row["key"] for row in rows} == set(keys)):
-        keep(store / FOLDER, name, json.dumps(rows).encode())
-    return rows
+        show(json.loads(content), as_json=options.json)
+    return content is not None
+
+
+def keep_listing(options: Namespace, rows: Rows) -> None:
+    """Keep a listing for when nothing changed."""
+    if name := getattr(options, "kept", ""):
+        keep(options.store / FOLDER, name, json.dumps(rows).encode())
+
+
+def show(rows: Rows, *, as_json: bool) -> int:
+    """Print a listing and return exit code 0."""
+    sys.stdout.write(json.dumps(rows, indent=2) + "\n" if as_json else listing_text(rows))
+    return 0
 
 
 def _name(store: Path, keys: Sequence[str], repeats: int) -> str:

@@ -22,7 +22,7 @@ from repro.determinism.source_files import path_of
 from repro.determinism.trees import installed, tree
 from repro.model.paper import Paper
 from repro.report.kept import find, keep
-from repro.report.pages import Made
+from repro.report.results import Made
 from repro.runs.plan import Task
 from repro.runs.store.store import Store
 from repro.runs.studies import studies
@@ -38,7 +38,7 @@ class Extent:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Asked:
+class Request:
     """A paper whose pages are asked for, what gives its tasks, and what it is called."""
 
     paper: Paper
@@ -68,7 +68,7 @@ def planned_extent(
 
 
 def names_of(
-    store: Store, asked: Sequence[Asked], places: Mapping[str, Path], known: Iterable[str]
+    store: Store, asked: Sequence[Request], places: Mapping[str, Path], known: Iterable[str]
 ) -> dict[str, str]:
     """Return by key the names under which pages are kept; of papers of this house alone."""
     own = {
@@ -106,7 +106,7 @@ def declared_by(place: Path, known: Iterable[str]) -> dict[str, bytes]:
     return {str(path): path.read_bytes() for path in sorted(own)}
 
 
-def name_of(asked: Asked, files: Mapping[str, bytes], rows: Mapping[str, str]) -> str:
+def name_of(asked: Request, files: Mapping[str, bytes], rows: Mapping[str, str]) -> str:
     """Return a digest of all that the pages of a paper follow from."""
     key = asked.paper.key
     said = (*_surroundings(), key, asked.called, str(asked.extent), rows.get(key, ""))

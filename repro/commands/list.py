@@ -1,66 +1,15 @@
 """`repro list`: papers, experiments, tables, and how many runs are done."""
 
-import json
-import sys
 from argparse import Namespace
-from collections.abc import Iterable, Iterator
-from typing import Any
 
-from repro.commands.kept_listing import kept_listing
-
-Row = dict[str, Any]
-_SHOWN = 4  # changed parts that a line names
+from repro.commands import catalogue
+from repro.commands.kept_listing import keep_listing, show
+from repro.commands.listed_papers import listing
 
 
 def run(options: Namespace) -> int:
     """Print the papers; the runs in the store are read and not changed."""
-    rows = kept_listing(options.store, options.keys, options.repeats, lambda: _rows(options))
-    sys.stdout.write(json.dumps(rows, indent=2) + "\n" if options.json else listing_text(rows))
-    return 0
-
-
-def _rows(options: Namespace) -> list[Row]:
-    # papers are loaded where nothing is kept of them: that takes most of the time
-    from repro.commands import catalogue  # noqa: PLC0415
-    from repro.commands.listed_papers import listing  # noqa: PLC0415
-
-    return listing(catalogue.chosen(options), options.repeats, options.store)
-
-
-def _changes(changed: Iterable[Row]) -> Iterator[str]:
-    """Yield a line for each set of parts that is another than when runs were made of it."""
-    cells: dict[tuple[str, ...], list[str]] = {}
-    for each in changed:
-        place = f"{each['algorithm']} on {each['problem']}"
-        cells.setdefault(tuple(each["parts"]), []).append(place)
-    for parts, places in cells.items():
-        yield f"    changed since they ran: {in_words(parts)} (of {in_words(places)})"
-
-
-def listing_text(rows: list[Row]) -> str:
-    """Return the listing as text for a terminal."""
-    lines = []
-    for row in rows:
-        lines.append(f"{row['key']}: {row['title']}")
-        lines.append(f"  tables: {', '.join(row['tables']) or 'none'}; claims: {row['claims']}")
-        for experiment in row["experiments"]:
-            lines.append(
-                f"  {experiment['name']}: {' '.join(experiment['algorithms'])} on "
-                f"{' '.join(experiment['problems'])}, {experiment['done']} runs done, "
-                f"{experiment['missing']} missing"
-            )
-            lines.extend(_changes(experiment["changed"]))
-        if not row["experiments"]:
-            lines.append("  no experiments: nothing to run")
-        if others := row["studies"]:
-            noun = "study" if len(others) == 1 else "studies"
-            done, missing = (sum(o[state] for o in others) for state in ("done", "missing"))
-            lines.append(f"  {len(others)} {noun} besides: {done} runs done, {missing} missing")
-    return "\n".join(lines) + "\n"
-
-
-def in_words(changed: Iterable[str]) -> str:
-    """Return changed parts as the end of "changed since: …"."""
-    names = list(dict.fromkeys(changed))
-    more = f" and {len(names) - _SHOWN} more" if len(names) > _SHOWN else ""
-    return ", ".join(names[:_SHOWN]) + more
+    rows = listing(catalogue.chosen(options), options.repeats, options.store)
+    if not options.faulty:
+        keep_listing(options, rows)
+    return show(rows, as_json=options.json)

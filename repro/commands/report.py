@@ -5,7 +5,7 @@ from argparse import Namespace
 from functools import partial
 
 from repro.commands import catalogue
-from repro.commands.kept_pages import Asked, planned_extent
+from repro.commands.kept_pages import Request, planned_extent
 from repro.commands.shown_rows import warn
 from repro.commands.written_pages import made_pages, write_made
 from repro.errors import InputError
@@ -39,9 +39,9 @@ def run(options: Namespace) -> int:
     return 0
 
 
-def _asked(paper: Paper, options: Namespace) -> Asked:
+def _asked(paper: Paper, options: Namespace) -> Request:
     only = {"protocol_only": options.protocol_only}
-    return Asked(
+    return Request(
         paper=paper,
         tasks=partial(plan, [paper], options.repeats, options.master_seed, **only),
         extent=planned_extent(paper, options.repeats, options.master_seed, **only),

@@ -4,20 +4,20 @@ import json
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from importlib import import_module
 from pathlib import Path
 from types import MappingProxyType
 
 from repro.commands.kept_listing import FOLDER
-from repro.commands.kept_pages import Asked, extent_of, names_of, packed, unpacked
+from repro.commands.kept_pages import Request, extent_of, names_of, packed, unpacked
 from repro.commands.shown_rows import warn
 from repro.judge.judgement import Judgement, judge
 from repro.model.evidence import Cell, Runs
 from repro.model.paper import Paper
 from repro.report.earlier import keep_earlier
 from repro.report.kept import find, keep
-from repro.report.pages import Made, made_of, write_report
-from repro.report.results import Json
+from repro.report.pages import made_of
+from repro.report.results import Json, Made
+from repro.report.writing import write_report
 from repro.runs.gather import cell_of, gather
 from repro.runs.plan import Task, deeper_tasks
 from repro.runs.raw_runs import RawRuns, drawn_as
@@ -57,7 +57,7 @@ def write_pages(
     """
     own = {paper.key: [task for task in tasks if task.paper == paper.key] for paper in chosen}
     asked = [
-        Asked(
+        Request(
             paper=paper,
             tasks=partial(own.__getitem__, paper.key),
             extent=extent_of(own[paper.key]),
@@ -78,7 +78,7 @@ def write_made(papers: Sequence[Made], folder: Path, known: Sequence[str]) -> Js
 
 def made_pages(
     store: Store,
-    asked: Sequence[Asked],
+    asked: Sequence[Request],
     places: Mapping[str, Path],
     known: Sequence[str],
     run: Run | None = None,
@@ -97,11 +97,11 @@ def made_pages(
     return [unpacked(found[each.paper.key] or b"") for each in asked]
 
 
-def _made(store: Store, left: Sequence[Asked], run: Run | None) -> Iterator[tuple[str, bytes]]:
+def _made(store: Store, left: Sequence[Request], run: Run | None) -> Iterator[tuple[str, bytes]]:
     """Yield what is made of papers; after runs that one wants it is judged again."""
     tried: set[tuple[str, bytes]] = set()
     if left:
-        import_module("scipy.stats")  # slow to load, and once for all copies
+        import scipy.stats  # noqa: F401, PLC0415 (slow to load, and once for all copies)
     while left:
         left = sorted(left, key=lambda each: -each.extent.runs)
         calls = [partial(_apart, store.folder, each, ask=run is not None) for each in left]
@@ -119,7 +119,7 @@ def _made(store: Store, left: Sequence[Asked], run: Run | None) -> Iterator[tupl
         left = again
 
 
-def _apart(folder: Path, asked: Asked, *, ask: bool) -> bytes:
+def _apart(folder: Path, asked: Request, *, ask: bool) -> bytes:
     """Return what is made of a paper in a copy of the process that has the store."""
     with Store(folder, writing=False) as store:
 
@@ -135,7 +135,7 @@ def _apart(folder: Path, asked: Asked, *, ask: bool) -> bytes:
             return _WANTS + json.dumps(depths).encode()
 
 
-def _wanted(asked: Asked, answer: bytes) -> Sequence[Task]:
+def _wanted(asked: Request, answer: bytes) -> Sequence[Task]:
     """Return the runs that a copy wants."""
     depths = {tuple(cell): depth for *cell, depth in json.loads(answer.removeprefix(_WANTS))}
     tasks = asked.tasks()
@@ -143,7 +143,7 @@ def _wanted(asked: Asked, answer: bytes) -> Sequence[Task]:
     return deeper_tasks(asked.paper, others, depths, tasks[0].seed)
 
 
-def pages(store: Store, asked: Asked, run: Run | None = None) -> bytes:
+def pages(store: Store, asked: Request, run: Run | None = None) -> bytes:
     """Return all that is written of a paper, packed."""
     tasks = asked.tasks()
     judgement = judged(store, asked.paper, tasks, run or _none)

@@ -2,10 +2,9 @@
 
 import shlex
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from functools import cache
-from pathlib import Path
 from types import MappingProxyType
 
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
@@ -24,21 +23,16 @@ from repro.report.calibration import calibration
 from repro.report.drawings.arm_viewer import viewer
 from repro.report.drawings.draw import Drawing, draw
 from repro.report.escapes import markdown_text
-from repro.report.files import usable_folder, write_file
 from repro.report.formulas import dollars, equation_links, formula_anchor, mathml, powers_of_ten
 from repro.report.frames import DIGITS, FINDING, csv_text, findings_frame
 from repro.report.results import (
-    PROVENANCE,
     Environments,
+    Files,
     Json,
+    Made,
     impossible_rows,
-    merged,
-    merged_provenance,
     paper_result,
     provenance_entry,
-    read_json,
-    read_results,
-    results_text,
     verdict_counts,
 )
 from repro.report.run_files import packed_runs, place_of_runs
@@ -64,24 +58,7 @@ from repro.report.words import (
 from repro.tables.audit_words import read_lines, read_words
 from repro.tables.rows import AuditRow
 
-Files = dict[str, str | bytes]
 ANOTHER_SEED = "another-seed.json"
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Made:
-    """What is written of one paper: its entries in results.json and provenance.json, its files.
-
-    `files` are by their place in the reports folder; `says` is what a terminal is told besides.
-    Of so many `tasks` as many runs are `missing`.
-    """
-
-    entry: Json
-    provenance: Json
-    files: Files
-    says: Sequence[str] = ()
-    tasks: int = 0
-    missing: int = 0
 
 
 def made_of(
@@ -99,29 +76,6 @@ def made_of(
     outside = [each.says for each in judgement.outside if each.outside]
     says = [f"{judgement.paper.key}, {each}" for each in outside]
     return Made(entry=entry, provenance=provenance, files=files, says=says)
-
-
-def write_report(papers: Iterable[Made], folder: Path, known: Sequence[str]) -> Json:
-    """Write the files of some papers, the index and results.json; return the results.
-
-    `known` are the keys of all papers, in their order; entries of others are kept from before.
-    """
-    usable_folder(folder)
-    made = {each.entry["key"]: each for each in papers}
-    files: Files = {name: text for each in made.values() for name, text in each.files.items()}
-    entries = [each.entry for each in made.values()]
-    results = merged(entries, read_results(folder / "results.json"), known)
-    files["results.json"] = results_text(results)
-    kept = [entry["key"] for entry in results["papers"]]
-    fresh = {key: each.provenance for key, each in made.items()}
-    provenance = merged_provenance(fresh, read_json(folder / PROVENANCE), kept)
-    files[PROVENANCE] = results_text(provenance)
-    # pages of papers that were made by another call stay, and so does what those are called
-    all_called = {key: each.get("called", "") for key, each in provenance["papers"].items()}
-    files |= index_files(results, read_json(folder / ANOTHER_SEED), all_called) | verdict_files()
-    for name, content in files.items():
-        write_file(folder / name, content)
-    return results
 
 
 def _paper_files(judgement: Judgement, master_seed: str, files: Files, called: str) -> Json:

@@ -1,9 +1,11 @@
+import json
+from argparse import Namespace
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
-from repro.commands.kept_listing import FOLDER, MADE_OF, kept_listing
+from repro.commands.kept_listing import FOLDER, MADE_OF, keep_listing, told
 from tests.small_stores import change, filled
 
 ROWS = [{"key": "small2020", "done": 6}]
@@ -20,18 +22,18 @@ def listed(tmp_path: Path, made: list[int]) -> Callable[..., object]:
     """Return what lists papers of a store that is filled."""
     store = filled(tmp_path)
 
-    def listing(keys: tuple[str, ...] = (), repeats: int = 1) -> object:
-        def make() -> list[dict[str, object]]:
+    def listing(keys: tuple[str, ...] = (), repeats: int = 1) -> None:
+        options = Namespace(command="list", store=store, keys=keys, repeats=repeats, json=True)
+        if not told(options):
             made.append(repeats)
-            return list(ROWS)
-
-        return kept_listing(store, keys, repeats, make)
+            keep_listing(options, ROWS)
 
     return listing
 
 
 def test_a_listing_is_made_once(listed: Callable[..., object], made: list[int]) -> None:
-    assert listed() == listed() == ROWS
+    listed()
+    listed()
     assert made == [1]
 
 
@@ -58,12 +60,12 @@ def test_a_listing_is_made_again_where_anything_changed(
 ) -> None:
     listed()
     changed(tmp_path)
-    assert listed() == ROWS
+    listed()
     assert made == [1, 1]
 
 
-@pytest.mark.parametrize("keys", [("./small2020.py",), ("a/b",), ("other2021",)])
-def test_files_and_papers_that_are_not_all_found_are_not_kept(
+@pytest.mark.parametrize("keys", [("./small2020.py",), ("a/b",), (".",)])
+def test_what_is_told_of_files_is_not_kept(
     listed: Callable[..., object], made: list[int], tmp_path: Path, keys: tuple[str, ...]
 ) -> None:
     listed(keys)
@@ -73,5 +75,17 @@ def test_files_and_papers_that_are_not_all_found_are_not_kept(
 
 
 def test_no_store_is_made_for_a_listing(tmp_path: Path) -> None:
-    assert kept_listing(tmp_path / "none", (), 1, lambda: ROWS) == ROWS
+    store = tmp_path / "none"
+    options = Namespace(command="list", store=store, keys=(), repeats=1, json=True)
+    assert not told(options)
+    keep_listing(options, ROWS)
     assert list(tmp_path.iterdir()) == []
+
+
+def test_what_is_kept_is_printed_as_it_was(
+    listed: Callable[..., object], capsys: pytest.CaptureFixture[str]
+) -> None:
+    listed()
+    assert capsys.readouterr().out == ""
+    listed()
+    assert json.loads(capsys.readouterr().out) == ROWS
