@@ -11,7 +11,6 @@ import numpy as np
 
 from repro.determinism.held_values import SAID
 from repro.errors import InputError
-from repro.optimisers.own_search import has_protocol
 from repro.optimisers.search_forms import check_form
 from repro.optimisers.users_search import Entrant, entrant, load
 
@@ -36,8 +35,7 @@ def entrant_of(search: Any, name: str) -> Entrant:  # noqa: ANN401 (whatever the
     """
     if isinstance(search, str):
         return entrant(search)
-    if not has_protocol(search):
-        check_form(search, name)
+    check_form(search, name)
     module, qualified = getattr(search, "__module__", ""), getattr(search, "__qualname__", "")
     if module and qualified and module != "__main__" and "<" not in qualified:
         place = f"{module}:{qualified}"

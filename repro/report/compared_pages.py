@@ -19,8 +19,8 @@ from repro.report.drawings.ecdf import ecdf_plot
 from repro.report.drawings.ranks import rank_plot
 from repro.report.files import write_file
 from repro.report.frames import csv_text
-from repro.report.pages import render
 from repro.report.plain_rows import rows_of_standings
+from repro.report.rendering import render
 from repro.report.views.users_search import users_search_view
 from repro.runs.baseline_study import STUDY_OF
 from repro.runs.equal_budget import EQUAL_BUDGET

@@ -12,6 +12,7 @@ from repro.judge.counting import counts
 from repro.judge.judgement import Judgement
 from repro.model.assumptions import Assumption
 from repro.report.calibration import calibration
+from repro.report.cited import cited
 from repro.report.plain_rows import rows_of_standings, rows_of_tests
 from repro.tables.rows import Grade
 
@@ -47,6 +48,7 @@ def paper_result(judgement: Judgement, master_seed: str) -> Json:
     return {
         "key": paper.key,
         "title": paper.source.title,
+        "cited": cited(paper.key, paper.source),
         "control": paper.control,
         "summary": paper.summary,
         "provenance": {
@@ -180,6 +182,11 @@ def impossible_rows(entry: Mapping[str, Any]) -> list[Json]:
         for row in entry["audit"]
         if row["grade"] == Grade.IMPOSSIBLE and row.get("condition") is None
     ]
+
+
+def cell_counts(entry: Mapping[str, Any]) -> Counter[str]:
+    """Return how many numbers of a paper's tables have each verdict, each by itself."""
+    return Counter(finding["verdict"] for finding in entry["findings"] if finding["table"])
 
 
 def verdict_counts(entry: Mapping[str, Any]) -> Counter[str]:

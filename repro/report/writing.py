@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from repro.report.files import usable_folder, write_file
+from repro.report.files import remove_ours, usable_folder, write_file
 from repro.report.pages import ANOTHER_SEED, index_files, verdict_files
 from repro.report.results import (
     PROVENANCE,
@@ -16,6 +16,7 @@ from repro.report.results import (
     read_results,
     results_text,
 )
+from repro.report.rooms import OURS, check_apart, pages_of_paper
 
 
 def write_report(papers: Iterable[Made], folder: Path, known: Sequence[str]) -> Json:
@@ -25,7 +26,10 @@ def write_report(papers: Iterable[Made], folder: Path, known: Sequence[str]) -> 
     """
     usable_folder(folder)
     made = {each.entry["key"]: each for each in papers}
-    files: Files = {name: text for each in made.values() for name, text in each.files.items()}
+    files: Files = {}
+    for key, each in made.items():
+        check_apart(files, each.files, key)
+        files |= each.files
     entries = [each.entry for each in made.values()]
     results = merged(entries, read_results(folder / "results.json"), known)
     files["results.json"] = results_text(results)
@@ -38,4 +42,6 @@ def write_report(papers: Iterable[Made], folder: Path, known: Sequence[str]) -> 
     files |= index_files(results, read_json(folder / ANOTHER_SEED), all_called) | verdict_files()
     for name, content in files.items():
         write_file(folder / name, content)
+    for page in (page for key in made for page in pages_of_paper(key) if page not in files):
+        remove_ours(folder / page, f'<meta name="generator" content="{OURS}">')
     return results

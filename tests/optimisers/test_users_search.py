@@ -131,7 +131,7 @@ def test_search_that_breaks_a_rule_is_told_which(name: str, fault: str) -> None:
         ("searches:lost", "'searches' has no 'lost'; it has: .*sample"),
         ("searches:number", "neither an object with minimise.* nor a callable f"),
         ("searches:three", r"cannot be called as f\(cost, bounds, budget, rng\)"),
-        ("searches:WOA", "is a class: name an object of it"),
+        ("searches:Search", "is a class that needs 'change': name an object of it"),
         ("broken:x", "'broken' cannot be imported: SyntaxError"),
         ("ending:x", "'ending' cannot be imported: SystemExit: 3"),
         ("needing:x", "'needing' cannot be imported: no module 'no_such_library'"),

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator
 
 from repro.model.identifiers import anchor, identifiers
 from repro.report.results import Json, impossible_rows
+from repro.report.rooms import address, page_of
 from repro.report.words import verdict_words
 
 Row = tuple[str, str, str, str]
@@ -16,20 +17,21 @@ def search_rows(papers: Iterable[Json]) -> list[Row]:
 
 def _rows(paper: Json) -> Iterator[Row]:
     key = paper["key"]
-    yield key, f"{key}.html", f"{paper['title']}. {paper['summary']}", "paper"
+    yield key, page_of(key), f"{paper['title']}. {paper['summary']}", "paper"
     findings = paper["findings"]
     for table in dict.fromkeys(one["table"] for one in findings if one["table"]):
-        yield key, f"{key}.html#{anchor(table)}", table, "table"
+        yield key, address(key, "tables", anchor(table)), table, "table"
     names = identifiers(
         (one["table"] or "claim", one["row"], one["column"], one["claim"]) for one in findings
     )
     for name, one in zip(names, findings, strict=True):
         place = one["claim"] or f"{one['table']}, {one['row']}, {one['column']}"
         text = f"{place}: {one['printed']} {one['unit']}".strip()
-        yield key, f"{key}.html#{name}", text, verdict_words(one["verdict"], one["side"])
+        where = address(key, "claims" if one["claim"] else "tables", name)
+        yield key, where, text, verdict_words(one["verdict"], one["side"])
     impossible = impossible_rows(paper)
     for number, row in enumerate(paper["audit"], start=1):
         cell = f", {row['row']}, {row['column']}" if row["row"] else ""
         text = f"{row['table']}{cell}: {row['check']}"
         mark = "⚑" if row in impossible else "audit:"
-        yield key, f"{key}.html#audit-{number}", text, f"{mark} {row['grade']}"
+        yield key, address(key, "audit", f"audit-{number}"), text, f"{mark} {row['grade']}"

@@ -44,3 +44,17 @@ def environments(database: sqlite3.Connection, tasks: Iterable[Task]) -> list[di
     }
     texts = dict(database.execute("select id, json from env").fetchall())
     return [json.loads(texts[env]) for env in sorted(used)]
+
+
+def seconds(database: sqlite3.Connection) -> dict[tuple[str, str, str, str], float]:
+    """Return what a finished run took, but for the longest of its cell; see `Store.seconds`."""
+    rows = database.execute(
+        "select paper, experiment, problem, algorithm, count(*), sum(seconds), max(seconds)"
+        " from run where reason is null group by 1, 2, 3, 4"
+    )
+    return {
+        (str(paper), str(experiment), str(problem), str(algorithm)): (
+            (total - longest) / (count - 1) if count > 1 else total
+        )
+        for paper, experiment, problem, algorithm, count, total, longest in rows
+    }

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Self
 from repro.errors import DamageError, StoreError
 from repro.runs.plan import Task
 from repro.runs.run import Record
-from repro.runs.store.contents import contents, environments
+from repro.runs.store.contents import contents, environments, seconds
 from repro.runs.store.damage import (
     damaged_rows,
     index_hides_a_row,
@@ -168,6 +168,14 @@ class Store:
             own = (f"{query} and paper = ?", (paper,)) if paper else (query,)
             rows = self._database.execute(*own)
             return frozenset(key for (key,) in rows)
+
+    def seconds(self) -> dict[tuple[str, str, str, str], float]:
+        """Return what a finished run took, by paper, experiment, problem and algorithm.
+
+        The longest of them is left out: the first one was compiled.
+        """
+        with self._refusing():
+            return seconds(self._database)
 
     def fingerprint(self) -> str | None:
         """Return a digest of the whole file; None while a reader keeps runs in the journal."""

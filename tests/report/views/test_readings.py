@@ -4,7 +4,7 @@ import pytest
 
 from repro.judge.judgement import judge
 from repro.judge.other_readings import FARTHEST
-from repro.report.pages import render
+from repro.report.rendering import render
 from repro.report.views.readings import ReadingsView, readings_view, ruled_out_by, settings_of
 from tests.judge.test_other_readings import WIDER, evidence, open_paper
 
@@ -43,7 +43,12 @@ def test_a_value_of_an_open_setting_that_the_number_lies_between_turns_it() -> N
 @pytest.mark.parametrize("page", ["md", "html"])
 def test_no_page_says_that_no_reading_was_chosen_because_it_fits(page: str) -> None:
     shown = view(guess=5.0, wider=0.05)
-    context = {"readings": shown, "reading_repeats": 1, "provenance": {"repeats": 20}}
+    context = {
+        "paper": open_paper(WIDER),
+        "readings": shown,
+        "reading_repeats": 1,
+        "provenance": {"repeats": 20},
+    }
 
     text = render(f"sections/readings.{page}", context)
 
@@ -65,7 +70,12 @@ def test_paper_whose_readings_were_not_run_shows_none() -> None:
 @pytest.mark.parametrize("page", ["md", "html"])
 def test_both_pages_say_what_a_zero_counts_in_a_distance(page: str) -> None:
     shown = view(guess=5.0, wider=0.05)
-    context = {"readings": shown, "reading_repeats": 1, "provenance": {"repeats": 20}}
+    context = {
+        "paper": open_paper(WIDER),
+        "readings": shown,
+        "reading_repeats": 1,
+        "provenance": {"repeats": 20},
+    }
 
     text = render(f"sections/readings.{page}", context)
 
@@ -91,12 +101,13 @@ def test_two_forms_of_a_controls_search_stand_side_by_side() -> None:
     assert form.counts[0] == {"contradicted": 2}
     assert form.counts[1] == {"reproduced": 1, "contradicted": 1}
     assert form.rows[0] == (
-        *("Table 1, bowl mean, guess", "0.05", "5", "✖ contradicted (higher)"),
+        *("Table 1, bowl mean, guess", "0.05", "5", "✖ contradicted (re-run higher)"),
         *("0.05000", "✔ reproduced"),
     )
     for page in ("md", "html"):
         context = {
             "readings": readings_view(judge(paper, costs)),
+            "paper": paper,
             "reading_repeats": 1,
             "provenance": {"repeats": 20},
         }

@@ -19,9 +19,9 @@ def test_every_paper_table_cell_claim_and_audit_row_can_be_found(pages: dict[str
     assert len(rows) == 1 + 2 + len(paper["findings"]) + len(paper["audit"])
     assert (
         "doe2021",
-        "doe2021.html#table-2-f1-mean-woa",
+        "doe2021.tables.html#table-2-f1-mean-woa",
         "Table 2, F1 Mean, WOA: 2.500",
-        "✖ contradicted (higher)",
+        "✖ contradicted (re-run higher)",
     ) in rows
 
 
