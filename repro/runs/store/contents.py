@@ -47,7 +47,10 @@ def environments(database: sqlite3.Connection, tasks: Iterable[Task]) -> list[di
 
 
 def seconds(database: sqlite3.Connection) -> dict[tuple[str, str, str, str], float]:
-    """Return what a finished run took, but for the longest of its cell; see `Store.seconds`."""
+    """Return what a finished run took, by paper, experiment, problem and algorithm.
+
+    The longest of them is left out: the first one was compiled.
+    """
     rows = database.execute(
         "select paper, experiment, problem, algorithm, count(*), sum(seconds), max(seconds)"
         " from run where reason is null group by 1, 2, 3, 4"

@@ -170,10 +170,7 @@ class Store:
             return frozenset(key for (key,) in rows)
 
     def seconds(self) -> dict[tuple[str, str, str, str], float]:
-        """Return what a finished run took, by paper, experiment, problem and algorithm.
-
-        The longest of them is left out: the first one was compiled.
-        """
+        """Return what a finished run took, by paper, experiment, problem and algorithm."""
         with self._refusing():
             return seconds(self._database)
 
