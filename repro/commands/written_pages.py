@@ -90,10 +90,12 @@ def made_pages(
     names = names_of(store, asked, places, known)
     found = {key: find(store.folder / FOLDER, name) for key, name in names.items()}
     left = [each for each in asked if found.get(each.paper.key) is None]
-    for key, content in _made(store, left, run):
-        found[key] = content
-        if key in names:
-            keep(store.folder / FOLDER, names[key], content)
+    made = dict(_made(store, left, run))
+    if run and made:  # runs were made meanwhile, on which the pages rest
+        names = names_of(store, left, places, known)
+    for key in made.keys() & names.keys():
+        keep(store.folder / FOLDER, names[key], made[key])
+    found |= made
     return [unpacked(found[each.paper.key] or b"") for each in asked]
 
 
