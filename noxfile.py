@@ -108,6 +108,7 @@ def again(session: nox.Session) -> None:
 def tests(session: nox.Session) -> None:
     """Run the tests, a full-size re-run of the papers' protocols among them."""
     _install(session, "test")
+    session.install("--require-hashes", "--no-deps", "-r", "requirements/urdf.lock")
     kinds = ("-m", "not browser and not cluster and not adapters")
     session.run("pytest", *kinds, *SPREAD, *session.posargs, env=TESTING)
 
@@ -152,7 +153,9 @@ def browser(session: nox.Session) -> None:
     """Look at the pages in Chromium: by mouse, by keyboard, without script, on a phone, printed."""
     _install(session, "browser")
     environment = {**TESTING, "REPRO_BROWSER": _chromium(session)}
-    session.run("pytest", "-m", "browser", *SPREAD, *session.posargs, env=environment)
+    # one file holds most of these tests, and all share one folder of pages
+    spread = (*SPREAD, "--dist", "worksteal")
+    session.run("pytest", "-m", "browser", *spread, *session.posargs, env=environment)
 
 
 @nox.session
@@ -205,9 +208,10 @@ def adapters(session: nox.Session) -> None:
 
 @nox.session
 def references(session: nox.Session) -> None:
-    """Compare the certificates with two other planners, and test that they agree."""
+    """Ask two other planners: writes repro/judge/planners.json, and tests that they agree."""
     _install(session, "references")
     session.run("repro", "references", *session.posargs)
+    session.run("python", "-m", "tests.outside_times")
     asked = (
         "judge/test_outside_planners",
         "robotics/test_chain",
@@ -277,9 +281,10 @@ def lock(session: nox.Session) -> None:
             *("--universal", "--python-version", "3.11", "--generate-hashes", "--upgrade"),
             *("--no-annotate", "--no-header", "--quiet", "-o", f"requirements/{name}.lock"),
         )
-    for name in PEERS:
+    for name in (*PEERS, "urdf"):
+        alone = ("--no-deps",) if name == "urdf" else ()
         session.run(
-            *("uv", "pip", "compile", f"requirements/{name}.in", "--universal"),
+            *("uv", "pip", "compile", f"requirements/{name}.in", "--universal", *alone),
             *("--python-version", "3.11", "--generate-hashes", "--upgrade", "--no-annotate"),
             *("--no-header", "--quiet", "-o", f"requirements/{name}.lock"),
         )

@@ -5,7 +5,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from types import MappingProxyType
 
-from repro.audit.alone import tables_alone
 from repro.audit.arms import rows_of_arm
 from repro.judge.judgement import Judgement
 from repro.judge.verdict import Verdict
@@ -15,6 +14,7 @@ from repro.model.paper import Paper
 from repro.report.calibration import calibration
 from repro.report.drawings.draw import Drawing, draw
 from repro.report.frames import DIGITS, FINDING, csv_text, findings_frame
+from repro.report.glossary import PAGE, glossary
 from repro.report.rendering import render
 from repro.report.results import (
     Environments,
@@ -40,11 +40,11 @@ from repro.report.views.calibration import truthful
 from repro.report.views.findings import Shown, bare_table, everything, table_view, tallies
 from repro.report.views.heat_map import heat_map
 from repro.report.views.line_plot import least_values
-from repro.report.views.readings import readings_view, ruled_out_by, settings_of
+from repro.report.views.readings import ruled_out_by, settings_of
 from repro.report.views.runs import runs_view
-from repro.report.views.search_box import search_rows
-from repro.report.views.times import time_cells
-from repro.tables.audit_words import read_lines, read_words
+from repro.report.views.search_box import search_index
+from repro.report.views.times import times_drawn
+from repro.report.views.weighed import weighed
 from repro.tables.rows import AuditRow
 
 ANOTHER_SEED = "another-seed.json"
@@ -71,13 +71,17 @@ def _paper_files(judgement: Judgement, master_seed: str, called: str) -> tuple[J
     drawings = _drawings(judgement)
     entry = paper_result(judgement, master_seed)
     runs = runs_view(judgement)
+    times = times_drawn(judgement)
+    rooms = _rooms(judgement, drawings, timed=bool(times))
+    entry["rooms"] = [room.name for room in rooms]
     context = _context(judgement, entry, drawings, called) | runs.context()
-    rooms = _rooms(judgement, drawings)
+    context["times_drawn"] = times
     files: Files = {}
     for before, here, after in neighbours(rooms):
         own = {"here": here, "before": before, "after": after, "rooms": rooms}
         files[page_of(key, here)] = render("paper.html", context | own)
     files[f"{key}.md"] = render("paper.md", context)
+    files |= {f"tables/{key}-{name}.csv": csv_text(d.frame, DIGITS) for name, d in times}
     return entry, files | _data(judgement, entry, drawings) | runs.files(key)
 
 
@@ -91,10 +95,10 @@ def _context(
         *(judgement.findings, judgement.audit, settings_of(paper), ruled_out_by(paper)),
         least=least_values(paper.claims, judgement.certificates),
     )
-    times = zip(judgement.certificates, judgement.found_times, strict=True)
     return {
         "paper": paper,
         "called": called,
+        "entry": entry,
         "cited": entry["cited"],
         "counts": verdict_counts(entry),
         "shown_counts": cell_counts(entry),
@@ -102,14 +106,7 @@ def _context(
         "not_calibrated": not calibrated,
         "tallies": tallies(found),
         **_printed(paper, found, judgement.audit),
-        "audit": judgement.audit,
-        "alone": [
-            (read_words(table), *read_lines(table, flag="")) for table in tables_alone(paper)
-        ],
-        "certificates": [(certificate, time_cells(certificate, own)) for certificate, own in times],
-        "readings": readings_view(judgement),
-        "besides": judgement.besides,
-        "reading_repeats": judgement.reading_repeats,
+        **weighed(judgement, found),
         "standings": tuple(map(standings_view, judgement.standings)),
         "drawings": [  # with the names of their data
             (drawing, anchor(figure.label))
@@ -119,10 +116,11 @@ def _context(
     }
 
 
-def _rooms(judgement: Judgement, drawings: Sequence[Drawing]) -> tuple[Room, ...]:
-    """Return the rooms that the paper fills."""
+def _rooms(judgement: Judgement, drawings: Sequence[Drawing], *, timed: bool) -> tuple[Room, ...]:
+    """Return the rooms that the paper fills; `timed` where times are drawn."""
     live = [drawing for drawing in drawings if drawing.scene]
     filled = {
+        "times": timed,
         "optimum": judgement.certificates,
         "figures": len(drawings) > len(live),
         "arm": live,
@@ -176,9 +174,16 @@ def _notes(key: str, figure: Figure) -> tuple[str, ...]:
 
 
 def verdict_files() -> Files:
-    """Return the pages that say how verdicts are made."""
-    context = verdict_context(calibration())
-    return {f"{VERDICTS}.{kind}": render(f"{VERDICTS}.{kind}", context) for kind in ("html", "md")}
+    """Return the pages that say how verdicts are made, and what the words mean."""
+    pages: dict[str, Mapping[str, object]] = {
+        VERDICTS: verdict_context(calibration()),
+        PAGE: {"terms": glossary().terms},
+    }
+    return {
+        f"{name}.{kind}": render(f"{name}.{kind}", context)
+        for name, context in pages.items()
+        for kind in ("html", "md")
+    }
 
 
 def index_files(
@@ -202,7 +207,7 @@ def index_files(
         "shown_of": cell_counts,
         "impossible_of": impossible_rows,
         "verdicts": [v for v in Verdict if v != Verdict.NOT_RUN or not_run],
-        "search_rows": search_rows(papers),
+        "search": search_index(papers, glossary()),
         "another_seed": another_seed,
         "again": _all_again(papers, called),
     }

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from repro.judge.conclusions import conclude
 from repro.judge.counting import counts
 from repro.judge.judgement import Judgement
 from repro.model.assumptions import Assumption
@@ -60,6 +61,7 @@ def paper_result(judgement: Judgement, master_seed: str) -> Json:
             "master_seed": master_seed,
             "drawn_as": dict(judgement.drawn_as),
         },
+        "conclusions": _finite(dataclasses.asdict(conclude(judgement))),
         "findings": _plain(judgement.findings),
         "audit": _plain(judgement.audit),
         "certificates": _plain(judgement.certificates),
@@ -68,6 +70,9 @@ def paper_result(judgement: Judgement, master_seed: str) -> Json:
         "assumptions": [_assumption(assumption) for assumption in paper.assumptions],
         "errata": _plain(paper.errata),
         "gaps": _plain(paper.gaps),
+        "equations": [
+            {"label": each.label, "where": each.where, "says": each.says} for each in paper.formulas
+        ],
     }
 
 

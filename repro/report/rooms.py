@@ -38,6 +38,7 @@ ROOMS = (
     _room(
         "", "At a glance",
         ("summary", "summary", "summary"),
+        ("times", "times", "times side by side"),
         ("heat_map", "at-a-glance", "at a glance"),
         ("claims", "claims", "claims of the text"),
         ("contents", "rooms", "rooms"),
