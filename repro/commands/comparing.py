@@ -25,7 +25,7 @@ from repro.runs.honesty import identical, probed
 from repro.runs.plan import Task, plan
 from repro.runs.run import Record
 from repro.runs.store.store import Store
-from repro.runs.studies import PER_STUDY, studies
+from repro.runs.studies import ENOUGH, studies
 from repro.runs.workers.local import checked_workers, local
 
 _LONGEST = 1e7  # seconds, of a time limit: no run takes months
@@ -152,7 +152,7 @@ def _parts(
 ) -> list[Part]:
     """Return each experiment judged, with the runs of others that the store has of it."""
     names = {experiment.name: experiment for experiment in own.experiments}
-    others = gather(store, paper, plan([paper], PER_STUDY), studies(paper, PER_STUDY))
+    others = gather(store, paper, plan([paper], ENOUGH), studies(paper, ENOUGH))
     aside = replace(own, experiments=(*own.experiments, *moved(own)))
     found = gather(store, aside, (*tasks, *(moved_tasks(own) if asked.centre_bias else ())))
     runs = {**others.runs, **found.runs}

@@ -14,8 +14,8 @@ from repro.judge.users_search import mean_against_chance
 from repro.report.compared_drawings import figure_files, pictured
 from repro.report.files import write_file
 from repro.report.frames import csv_text
-from repro.report.pages import render
 from repro.report.plain_rows import rows_of_bias, rows_of_standings
+from repro.report.rendering import render
 from repro.report.views.users_search import users_search_view
 from repro.runs.run import Record
 
