@@ -1,6 +1,8 @@
 """Pages of the invented paper, made in a moment."""
 
 import gzip
+import re
+from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -33,6 +35,12 @@ def pages_of(folder: Path, paper: Paper = PAPER, repeats: int = 2) -> dict[str, 
         for path in sorted((folder / "reports").rglob("*"))
         if path.is_file()
     }
+
+
+def rooms_of(pages: Mapping[str, str], key: str = PAPER.key) -> str:
+    """Return the text of all HTML pages of a paper, the door's first."""
+    own = (name for name in pages if re.fullmatch(rf"{re.escape(key)}(\.\w+)?\.html", name))
+    return "".join(pages[name] for name in sorted(own, key=len))
 
 
 def text_of(path: Path) -> str:

@@ -12,9 +12,11 @@ DEFAULT_REPEATS = 10
 STORE, REPORTS, PRIVATE = Path(".repro"), Path("reports"), Path("reports-private")
 FORMATS = ("csv", "parquet", "ioh", "latex")
 _AGAIN = (
-    "Run what one printed number needs, once, and say what comes out: the number that its page "
-    "shows below the printed one. Nothing is stored, unless a store is named: what it has is not "
-    "run, and what it lacks is kept in it."
+    "Run what one printed number needs, once, and say what comes out, with the verdict by this one "
+    "repeat and beside it what the pages say by all of theirs. The first call compiles the "
+    "searches, which takes longer than the runs; later ones need seconds, or what the runs take. "
+    "Nothing is stored, unless a store is named: what it has is not run, and what it lacks is kept "
+    "in it."
 )
 _PAPER = "a key, a file or folder that declares papers, or the key of an installed package"
 _PAPERS = f"{_PAPER} (default: all)"
@@ -148,7 +150,7 @@ def _add_places(parsers: Mapping[str, argparse.ArgumentParser]) -> None:
         parsers[name].add_argument("--store", type=Path, default=STORE, metavar="DIR")
     parsers["again"].add_argument("--store", type=Path, metavar="DIR", help="default: none")
     _add_export(parsers["export"])
-    for name in ("reproduce", "report", "compare", "export"):
+    for name in ("reproduce", "report", "compare", "export", "again"):
         default = PRIVATE if name == "compare" else REPORTS
         parsers[name].add_argument("--reports", type=Path, default=default, metavar="DIR")
 

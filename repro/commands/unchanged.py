@@ -48,7 +48,7 @@ class Written:
         runs = store.fingerprint()
         if runs is None or kept != self._digests(runs):
             return False
-        return not store.missing(self.tasks)
+        return not any(store.lacking(self.tasks))
 
     def remember(self, store: Store) -> None:
         """Keep digests of the pages just written and of what they follow from."""

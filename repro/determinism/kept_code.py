@@ -9,10 +9,12 @@ sources are all modules of the folders in which one imports `repro.determinism.c
 
 import hashlib
 import os
-import sys
 import tempfile
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
+
+from platformdirs import user_cache_path
 
 from repro.determinism.settings import settings
 
@@ -41,18 +43,10 @@ def _places() -> Iterator[Path]:
     if named := os.environ.get("NUMBA_CACHE_DIR"):
         yield Path(named).absolute()
     yield _PACKAGE / "__pycache__"
-    yield _of_user() / "repro"
-
-
-def _of_user() -> Path:
-    """Return where a user's cached files stand, by the rules of the systems that we support.
-
-    Two lines are not worth a package: `platformdirs` gives the same on Linux and macOS.
-    """
-    if sys.platform == "darwin":
-        return Path(os.path.expanduser("~/Library/Caches"))  # noqa: PTH111 (a home may be missing)
-    named = os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")  # noqa: PTH111
-    return Path(named).absolute()
+    with suppress(RuntimeError):  # no home is known; older versions name a folder called ~ then
+        of_user = user_cache_path("repro", appauthor=False)
+        if of_user.is_absolute():
+            yield of_user
 
 
 def _is_usable(folder: Path) -> bool:

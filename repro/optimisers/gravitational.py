@@ -20,7 +20,7 @@ from typing import Unpack, get_args
 import numpy as np
 
 from repro.determinism.compiled import jit
-from repro.determinism.draws import uniform
+from repro.determinism.draws import fill
 from repro.errors import InputError
 from repro.optimisers.choices import check_choices
 from repro.optimisers.population import BoundsRule, copy_into, hold, uniform_population
@@ -36,6 +36,11 @@ def _gsa(cost, data, bounds, population, iterations, parameters, state):
     X = uniform_population(bounds, population, state)
     V = np.zeros_like(X)
     pull = np.empty_like(X)
+    n = bounds.shape[0]
+    H = np.empty((n, population))
+    R = np.empty(population)
+    draws = np.empty(population * n)
+    words = np.empty(population * n, dtype=np.uint64)
     costs = np.empty(population)
     best = np.zeros(bounds.shape[0])
     best_cost = np.inf
@@ -53,10 +58,12 @@ def _gsa(cost, data, bounds, population, iterations, parameters, state):
         K = int(population * percent / 100.0 + 0.5)
         M = _masses(costs)
         heaviest = np.argsort(-M, kind="mergesort")[:K]
+        for j in range(n):
+            for place in range(K):
+                H[j, place] = X[heaviest[place], j]
         for i in range(population):
-            _attract(pull[i], X, i, M, heaviest, state)
-        for i in range(population):
-            _fly(X[i], V[i], pull[i], G, state)
+            _attract(pull[i], X, i, H, M, heaviest, R, draws, words, state)
+        _fly(X, V, pull, G, draws, words, state)
     return best, best_cost, history, population * iterations
 
 
@@ -84,26 +91,42 @@ def _masses(costs):
 
 
 @jit
-def _attract(pull, X, i, M, heaviest, state):
-    """Write the acceleration of agent i over `pull`, without the factor G."""
-    n = X.shape[1]
-    pull[:] = 0.0
+def _attract(pull, X, i, H, M, heaviest, R, draws, words, state):
+    """Write the acceleration of agent i over `pull`, without the factor G.
+
+    `H` holds the heaviest agents, shape (n, K), as they stand. Its agents are the inner loop of the
+    distances, and the numbers of all pulls are drawn at once: both vectorise, the sums do not.
+    """
+    n, K = len(pull), len(heaviest)
+    R[:K] = 0.0
+    for j in range(n):
+        for place in range(K):
+            R[place] += (X[i, j] - H[j, place]) * (X[i, j] - H[j, place])
+    pulling = K
     for k in heaviest:
         if k == i:
+            pulling -= 1
+    fill(draws[: pulling * n], words, state)
+    pull[:] = 0.0
+    drawn = 0
+    for place in range(K):
+        k = heaviest[place]
+        if k == i:
             continue
-        squares = 0.0
+        distance = math.sqrt(R[place]) + _EPS
         for j in range(n):
-            squares += (X[i, j] - X[k, j]) * (X[i, j] - X[k, j])
-        R = math.sqrt(squares)
-        for j in range(n):
-            pull[j] += uniform(state) * M[k] * (X[k, j] - X[i, j]) / (R + _EPS)
+            pull[j] += draws[drawn + j] * M[k] * (X[k, j] - X[i, j]) / distance
+        drawn += n
 
 
 @jit
-def _fly(x, v, pull, G, state):
-    for j in range(len(x)):
-        v[j] = uniform(state) * v[j] + G * pull[j]
-        x[j] += v[j]
+def _fly(X, V, pull, G, draws, words, state):
+    population, n = X.shape
+    fill(draws, words, state)
+    for i in range(population):
+        for j in range(n):
+            V[i, j] = draws[i * n + j] * V[i, j] + G * pull[i, j]
+            X[i, j] += V[i, j]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

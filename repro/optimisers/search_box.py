@@ -1,6 +1,7 @@
 """The box of a problem in every form that a search may want it in: array, scipy's Bounds, pairs."""
 
 import inspect
+import re
 from collections.abc import Callable
 from typing import Any, Self
 
@@ -9,6 +10,9 @@ from numpy.typing import NDArray
 from scipy.optimize import Bounds
 
 Vector = NDArray[np.float64]
+_LOWER_AND_UPPER = re.compile(
+    r"(typing\.)?[tT]uple\[(?P<part>[\w.]*(array|Array|Vector|[lL]ist|Sequence)\b.*), ?(?P=part)\]$"
+)
 
 
 class Box(np.ndarray, Bounds):  # type: ignore[misc]  # (both have an __init__)
@@ -69,13 +73,17 @@ def pairs(bounds: Vector) -> list[tuple[float, float]]:
 def as_wanted(bounds: Vector, parameter: inspect.Parameter | None) -> Any:  # noqa: ANN401
     """Return bounds as the annotation of a parameter asks for them, as a `Box` where it asks none.
 
-    `list`, `tuple` and `Sequence` get pairs, scipy's `Bounds` gets that, `ndarray` a plain array.
+    `list`, `tuple` and `Sequence` get pairs, a tuple of two arrays gets lower and upper bounds,
+    scipy's `Bounds` gets that, `ndarray` a plain array.
     """
     wanted = "" if parameter is None else annotated(parameter)
     if wanted.endswith("Bounds"):
         return Bounds(*np.array(bounds).T)
+    if _LOWER_AND_UPPER.match(wanted):
+        return tuple(np.array(bounds).T.copy())
     if wanted.startswith(("list", "List", "tuple", "Tuple", "Sequence", "typing.", "collections.")):
-        return tuple(pairs(bounds)) if "uple" in wanted[:12] else pairs(bounds)
+        as_tuple = wanted.removeprefix("typing.").lower().startswith("tuple")
+        return tuple(pairs(bounds)) if as_tuple else pairs(bounds)
     return np.array(bounds) if wanted.endswith("ndarray") else Box(bounds)
 
 
@@ -97,3 +105,12 @@ def parameters(function: Callable[..., Any]) -> list[inspect.Parameter]:
         return list(inspect.signature(function).parameters.values())
     except (TypeError, ValueError):
         return []
+
+
+def says_parameters(function: Callable[..., Any]) -> bool:
+    """Return whether a callable says how it is called: what is compiled may not."""
+    try:
+        inspect.signature(function)
+    except (TypeError, ValueError):
+        return False
+    return True

@@ -1,10 +1,10 @@
 """The forms in which other people's searches come, each called as it is.
 
 f(cost, bounds, budget, rng) -> x; a function like scipy's `minimize`, whose parameters say by their
-names what they are; an object with `ask` and `tell`, or what makes one.
+names what they are; an object that is asked and told, or what makes one; an object, or a class of
+one, with such a function as a method.
 """
 
-import copy
 import inspect
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -14,40 +14,45 @@ import numpy as np
 from numpy.typing import NDArray
 
 from repro.errors import InputError
+from repro.optimisers.asked_search import ask_and_tell, is_asked, started
 from repro.optimisers.own_search import CALL
-from repro.optimisers.search_box import as_wanted, parameters
+from repro.optimisers.search_box import as_wanted, pairs, parameters, says_parameters
+from repro.optimisers.search_words import (
+    BOUNDS,
+    BUDGETS,
+    COSTS,
+    GENERATORS,
+    METHODS,
+    OTHERS,
+    SEEDS,
+    STARTS,
+)
 
 Vector = NDArray[np.float64]
-COSTS = ("cost", "fun", "func", "function", "f", "objective", "objective_function", "obj_func",
-         "fitness", "obj", "fn")  # fmt: skip
-BOUNDS = ("bounds", "box", "limits", "ranges")
-BUDGETS = ("budget", "evaluations", "maxfun", "maxfev", "max_evals", "max_evaluations", "n_calls",
-           "max_fun", "nfev", "n_evals", "max_nfe")  # fmt: skip
-GENERATORS = ("rng", "generator", "random_generator")
-SEEDS = ("seed", "random_state", "random_seed")
-STARTS = ("x0", "x_0", "initial_guess", "start")
-OTHERS = {
-    **dict.fromkeys(("lower", "lb", "xmin"), "lower"),
-    **dict.fromkeys(("upper", "ub", "xmax"), "upper"),
-    **dict.fromkeys(("dim", "dimension", "n"), "size"),
-    "sigma0": "step",
-}
-_KINDS = (inspect.Parameter.POSITIONAL_ONLY, inspect.Parameter.POSITIONAL_OR_KEYWORD)
-_POINTS = ("x", "solution", "best_x", "xbest", "best_solution")
+_PROTOCOL = ("population", "evaluations", "rng")
+_CHANCE = (*GENERATORS, *SEEDS)
+_IN_PLACE = (COSTS, BOUNDS, BUDGETS, _CHANCE)
+_SORTS = (*_IN_PLACE, STARTS)
+_POSITIONAL = (inspect.Parameter.POSITIONAL_ONLY, inspect.Parameter.POSITIONAL_OR_KEYWORD)
+_OPEN = (inspect.Parameter.VAR_KEYWORD, inspect.Parameter.VAR_POSITIONAL)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Offer:
-    """What a search may be given: the cost, the box, how much it may spend, and its chance."""
+    """What a search may be given: the cost, the box, how much it may spend, and its chance.
+
+    The budget is that of `population` agents that are all evaluated in each iteration.
+    """
 
     cost: Callable[..., Any]
     bounds: Vector
     budget: int
     rng: np.random.Generator
+    population: int = 1
 
     def named(self, parameter: inspect.Parameter) -> Any:  # noqa: ANN401 (one of many)
         """Return what a parameter asks for by its name; KeyError for any other name."""
-        name, (low, high) = parameter.name, self.bounds.T
+        name, (low, high) = parameter.name.lower(), self.bounds.T
         if name in BOUNDS:
             return as_wanted(self.bounds, parameter)
         made: dict[str, Callable[[], Any]] = {
@@ -58,141 +63,159 @@ class Offer:
             **dict.fromkeys(STARTS, lambda: self.rng.uniform(low, high)),
         }
         words = {"lower": low.copy(), "upper": high.copy(), "size": len(low),
-                 "step": float(np.mean(high - low)) / 5}  # fmt: skip
+                 "step": float(np.mean(high - low)) / 5, "population": self.population,
+                 "iterations": self.budget // self.population}  # fmt: skip
         return words[OTHERS[name]] if name in OTHERS else made[name]()
 
+    def given(self, known: list[inspect.Parameter]) -> dict[str, Any]:
+        """Return what each parameter asks for; one of each sort is enough."""
+        given: dict[str, Any] = {}
+        taken: set[tuple[str, ...]] = set()
+        for parameter in known:
+            name = parameter.name.lower()
+            sort = next((each for each in _SORTS if name in each), (name,))
+            needed = parameter.default is inspect.Parameter.empty
+            if (sort in taken or sort not in _SORTS) and not needed:
+                continue
+            if parameter.kind not in _OPEN:
+                taken.add(sort)
+                given[parameter.name] = self.named(parameter)
+        return given
 
-def is_asked(found: object) -> bool:
-    """Return whether something, an object or a class of it, has `ask` and `tell`."""
-    return callable(getattr(found, "ask", None)) and callable(getattr(found, "tell", None))
+
+def speaks_protocol(found: object) -> bool:
+    """Return whether something is an object with the `minimise` of `Optimiser`."""
+    minimise = getattr(found, "minimise", None)
+    if isinstance(found, type) or not callable(minimise):
+        return False
+    try:
+        inspect.signature(minimise).bind(None, **dict.fromkeys(_PROTOCOL))
+    except TypeError:
+        return False
+    except ValueError:  # a compiled method that does not say how it is called
+        return True
+    return True
+
+
+def as_object(found: Any) -> Any:  # noqa: ANN401 (whatever the user wrote)
+    """Return an object of a class that needs nothing to be made, and anything else as it is."""
+    bare = isinstance(found, type) and not is_asked(found) and not _needed(parameters(found))
+    return found() if bare else found
+
+
+def check_form(found: Any, place: str) -> None:  # noqa: ANN401 (whatever the user wrote)
+    """Raise InputError, which names the place, for what is no form of a search."""
+    if isinstance(found, type) and not is_asked(found):
+        _check_class(found, place)
+        return
+    if speaks_protocol(found) or (is_asked(found) and not isinstance(found, type)):
+        return
+    called = _called(found)
+    if called is None:
+        message = f"{place} is neither an object with minimise(problem, …) nor a callable {CALL}"
+        raise InputError(message)
+    if not is_called_by_place(called) and (because := _because(called)):
+        message = f"{place} cannot be called as {CALL}{because}"
+        raise InputError(message)
+
+
+def called_with(found: Any, offer: Offer) -> Any:  # noqa: ANN401
+    """Run a search in its own form and return what it returns, or recommends when it is asked."""
+    if is_asked(found) and not isinstance(found, type):
+        return _asked(started(found, offer.given), offer)
+    called = found if isinstance(found, type) else _called(found)
+    known = parameters(called)
+    if is_called_by_place(called) and not isinstance(found, type):
+        second = known[1] if len(known) > 1 else None
+        returned = called(offer.cost, as_wanted(offer.bounds, second), offer.budget, offer.rng)
+    else:
+        first = [p for p in known if p.kind is inspect.Parameter.POSITIONAL_ONLY]
+        named = offer.given(known)
+        before = [named.pop(p.name) for p in first if p.name in named]
+        returned = called(*before, **named)
+    if is_asked(returned):
+        return _asked(returned, offer)
+    if isinstance(found, type):
+        last = _called(returned)
+        return last(**offer.given(parameters(last)))
+    return returned
 
 
 def is_called_by_place(function: Callable[..., Any]) -> bool:
     """Return whether a callable takes cost, bounds, budget and rng in this order."""
     known = parameters(function)
-    if not known or any(each.kind is inspect.Parameter.VAR_POSITIONAL for each in known):
+    if not known:
+        return not says_parameters(function)
+    if any(each.kind is inspect.Parameter.VAR_POSITIONAL for each in known):
         return True
-    needed = [p for p in known if p.kind in _KINDS and p.default is inspect.Parameter.empty]
-    return len(needed) == 4 and not _unknown(known, keyword_only=True)
+    needed = [p for p in _needed(known) if p.kind in _POSITIONAL]
+    others = [p for p in _needed(known) if p.kind not in _POSITIONAL]
+    return len(needed) == 4 and not _unknown(others) and not _stand_elsewhere(needed)
 
 
-def check_form(found: Any, place: str) -> None:  # noqa: ANN401 (whatever the user wrote)
-    """Raise InputError, which names the place, for what is no form of a search."""
-    if is_asked(found) and not isinstance(found, type):
+def _stand_elsewhere(needed: list[inspect.Parameter]) -> bool:
+    """Return whether names say that cost, bounds, budget and rng are not what stands here."""
+    for parameter, sort in zip(needed, _IN_PLACE, strict=True):
+        name = parameter.name.lower()
+        means = next((each for each in _SORTS if name in each), None)
+        if (means and means is not sort) or name in SEEDS or (name in OTHERS and len(name) > 1):
+            return True
+    return False
+
+
+def _asked(found: Any, offer: Offer) -> Any:  # noqa: ANN401
+    return ask_and_tell(found, offer.cost, pairs(offer.bounds))
+
+
+def _called(found: Any) -> Any:  # noqa: ANN401
+    """Return what is called of a search: itself, or a method of it; None where there is nothing."""
+    if callable(found):
+        return found
+    methods = (getattr(found, name, None) for name in METHODS)
+    return next((method for method in methods if callable(method)), None)
+
+
+def _check_class(found: type, place: str) -> None:
+    """Raise InputError for a class that makes no search, or cannot be made."""
+    if not _needed(parameters(found)):
+        try:
+            check_form(found(), place)
+        except InputError:
+            raise
+        except Exception as error:  # noqa: BLE001 (a class of the user's may raise anything)
+            message = f"{place} is a class that cannot be made: {type(error).__name__}: {error}"
+            raise InputError(" ".join(message.split())) from None
         return
-    if not callable(found):
-        message = f"{place} is neither an object with minimise(problem, …) nor a callable {CALL}"
+    if unknown := _unknown(_needed(parameters(found))):
+        message = f"{place} is a class that needs {unknown[0]!r}: name an object of it"
         raise InputError(message)
-    if isinstance(found, type) and not is_asked(found):
-        message = f"{place} is a class: name an object of it"
+    names = {name for one in found.__mro__ for name in vars(one)}
+    if not names & {"__call__", *METHODS}:
+        message = f"{place} is a class without a method {', '.join(METHODS)} or __call__"
         raise InputError(message)
-    known = parameters(found)
-    if is_called_by_place(found):
-        return
-    names = {parameter.name for parameter in known}
-    chance = {*GENERATORS, *SEEDS, *STARTS} & names
-    strict = all(p.default is inspect.Parameter.empty for p in known) and names & set(BUDGETS)
-    if unknown := _unknown(known):
-        message = f"{place} cannot be called as {CALL}; {unknown[0]!r} says not what it asks for"
-    elif strict and not chance and names & set(COSTS):
-        message = f"{place} cannot be called as {CALL}: it takes no rng"
-    elif names & set(COSTS) or ({"bounds", *GENERATORS, *SEEDS} & names and _makes_asked(found)):
-        if names & {*BOUNDS, *STARTS, *OTHERS}:
-            return
-        message = f"{place} cannot be called as {CALL}: it asks for no bounds"
-    else:
-        message = f"{place} cannot be called as {CALL}"
-    raise InputError(message)
 
 
-def _makes_asked(found: Any) -> bool:  # noqa: ANN401
-    """Return whether a callable may return an object with `ask` and `tell`: it takes no cost."""
-    return is_asked(found) or not {p.name for p in parameters(found)} & set(COSTS)
+def _because(called: Callable[..., Any]) -> str:
+    """Return why something cannot be called by the names of its parameters, "" where it can."""
+    known = parameters(called)
+    names = {parameter.name.lower() for parameter in known}
+    chance = names & {*_CHANCE, *STARTS}
+    strict = _needed(known) == known and names & set(BUDGETS)
+    if unknown := _unknown(_needed(known)):
+        return f"; {unknown[0]!r} says not what it asks for"
+    if strict and not chance and names & set(COSTS):
+        return ": it takes no rng"
+    if names & set(COSTS):
+        return "" if names & {*BOUNDS, *STARTS, *OTHERS} else ": it asks for no bounds"
+    # without a cost it may return an object that is asked and told
+    return "" if names & {*BOUNDS, *_CHANCE, "lower", "lb"} else ": it asks for no cost"
 
 
-def _unknown(known: list[inspect.Parameter], *, keyword_only: bool = False) -> list[str]:
-    """Return the parameters without a default whose names say nothing."""
-    words = {*COSTS, *BOUNDS, *BUDGETS, *GENERATORS, *SEEDS, *STARTS, *OTHERS}
-    kinds = (
-        (inspect.Parameter.KEYWORD_ONLY,)
-        if keyword_only
-        else (*_KINDS, inspect.Parameter.KEYWORD_ONLY)
-    )
-    return [
-        p.name for p in known if p.kind in kinds and p.default is p.empty and p.name not in words
-    ]
+def _needed(known: list[inspect.Parameter]) -> list[inspect.Parameter]:
+    return [p for p in known if p.default is p.empty and p.kind not in _OPEN]
 
 
-def called_with(found: Any, offer: Offer) -> Any:  # noqa: ANN401
-    """Run a search in its own form and return what it returns; an ask/tell loop returns None."""
-    if is_asked(found) and not isinstance(found, type):
-        return ask_and_tell(_started(copy.deepcopy(found), offer), offer)
-    known = parameters(found)
-    if is_called_by_place(found) and not isinstance(found, type):
-        second = known[1] if len(known) > 1 else None
-        returned = found(offer.cost, as_wanted(offer.bounds, second), offer.budget, offer.rng)
-    else:
-        returned = found(**_by_name(known, offer))
-    return ask_and_tell(returned, offer) if is_asked(returned) else returned
-
-
-def _by_name(known: list[inspect.Parameter], offer: Offer) -> dict[str, Any]:
-    """Return what each parameter asks for; one of each sort is enough."""
-    given: dict[str, Any] = {}
-    sorts = (COSTS, BOUNDS, BUDGETS, (*GENERATORS, *SEEDS), STARTS)
-    taken: set[tuple[str, ...]] = set()
-    for parameter in known:
-        sort = next((each for each in sorts if parameter.name in each), (parameter.name,))
-        needed = parameter.default is inspect.Parameter.empty
-        open_kind = parameter.kind in (
-            inspect.Parameter.VAR_KEYWORD,
-            inspect.Parameter.VAR_POSITIONAL,
-        )
-        if open_kind or (sort in taken and not needed) or (not needed and sort not in sorts):
-            continue
-        taken.add(sort)
-        given[parameter.name] = offer.named(parameter)
-    return given
-
-
-def _started(found: Any, offer: Offer) -> Any:  # noqa: ANN401
-    """Return an object with `ask`, told of its problem by `start` where it has that."""
-    start = getattr(found, "start", None)
-    if callable(start):
-        start(**_by_name(parameters(start), offer))
-    return found
-
-
-def ask_and_tell(asked: Any, offer: Offer) -> None:  # noqa: ANN401 (an object with ask and tell)
-    """Ask for points and tell their costs until the budget ends or the object stops.
-
-    `ask` returns one point (n,) or some (m, n); `tell` takes points and costs, or pairs of them.
-    """
-    pairs = len(parameters(asked.tell)) == 1
-    stop = next((s for s in (getattr(asked, n, None) for n in ("stop", "should_stop")) if s), None)
-    while not (callable(stop) and stop()):
-        points = asked.ask()
-        single = np.ndim(points) == 1
-        costs = [offer.cost(x) for x in ([points] if single else points)]
-        if pairs:
-            asked.tell(list(zip([points] if single else points, costs, strict=True)))
-        else:
-            asked.tell(points, costs[0] if single else costs)
-
-
-def point_in(returned: Any, size: int) -> Any:  # noqa: ANN401
-    """Return the point in what a search returned: itself, its `x`, or the first of a tuple."""
-    for name in _POINTS:
-        if not isinstance(returned, np.ndarray) and np.shape(_held(returned, name)) == (size,):
-            return getattr(returned, name)
-    if isinstance(returned, tuple) and returned and np.shape(_plain(returned[0])) == (size,):
-        return returned[0]
-    return returned
-
-
-def _held(returned: Any, name: str) -> Any:  # noqa: ANN401
-    return getattr(returned, name, None)
-
-
-def _plain(part: Any) -> Any:  # noqa: ANN401
-    return part if isinstance(part, list | tuple | np.ndarray) else None
+def _unknown(known: list[inspect.Parameter]) -> list[str]:
+    """Return the parameters whose names say nothing."""
+    words = {*COSTS, *BOUNDS, *BUDGETS, *_CHANCE, *STARTS, *OTHERS}
+    return [p.name for p in known if p.name.lower() not in words]

@@ -27,7 +27,7 @@ from typing import Literal, Unpack
 import numpy as np
 
 from repro.determinism.compiled import jit
-from repro.determinism.draws import below, uniform
+from repro.determinism.draws import fill, uniform
 from repro.errors import InputError
 from repro.optimisers.choices import check_choices
 from repro.optimisers.population import clip, copy_into, uniform_population
@@ -42,8 +42,8 @@ def _sma(cost, data, bounds, population, iterations, parameters, state):
     X = uniform_population(bounds, population, state)
     W = np.empty_like(X)
     costs = np.empty(population)
-    vb = np.empty(bounds.shape[0])
-    vc = np.empty(bounds.shape[0])
+    draws = np.empty(max(population, 5) * X.shape[1])
+    words = np.empty(len(draws), dtype=np.uint64)
     best = np.zeros(bounds.shape[0])
     best_cost = np.inf
     history = np.empty(iterations)
@@ -52,7 +52,8 @@ def _sma(cost, data, bounds, population, iterations, parameters, state):
             clip(X[i], bounds)
             costs[i] = cost(X[i], data)
         order = np.argsort(costs, kind="mergesort")
-        _weigh(W, costs, order, state)
+        fill(draws[: W.size], words, state)
+        _weigh(W, costs, order, draws)
         if costs[order[0]] < best_cost:
             best_cost = costs[order[0]]
             copy_into(best, X[order[0]])
@@ -64,17 +65,14 @@ def _sma(cost, data, bounds, population, iterations, parameters, state):
                 _restart(X[i], bounds, uniform(state))
             else:
                 p = math.tanh(abs(costs[i] - best_cost))  # Eq. (2.2)
-                _spread(vb, a, state)
-                if falls:
-                    vc[:] = b
-                else:
-                    _spread(vc, b, state)
-                _creep(X, i, best, W, p, vb, vc, state)
+                moves = draws[: (4 if falls else 5) * X.shape[1]]
+                fill(moves, words, state)
+                _creep(X, i, best, W, p, a, b, falls, moves)
     return best, best_cost, history, population * iterations
 
 
 @jit
-def _weigh(W, costs, order, state):
+def _weigh(W, costs, order, draws):
     bF, wF = costs[order[0]], costs[order[-1]]
     S = bF - wF + _EPS
     for rank in range(len(order)):
@@ -83,8 +81,9 @@ def _weigh(W, costs, order, state):
         argument = (bF - costs[i]) / S + 1.0 if S < 0.0 else 1.0
         logarithm = math.log10(min(max(argument, 1.0), 2.0))
         sign = 1.0 if 2 * (rank + 1) <= len(order) else -1.0
+        first = rank * W.shape[1]
         for j in range(W.shape[1]):
-            W[i, j] = 1.0 + sign * uniform(state) * logarithm  # Eq. (2.5)
+            W[i, j] = 1.0 + sign * draws[first + j] * logarithm  # Eq. (2.5)
 
 
 @jit
@@ -94,22 +93,23 @@ def _restart(x, bounds, u):
 
 
 @jit
-def _spread(v, reach, state):
-    for j in range(len(v)):
-        v[j] = -reach + 2.0 * reach * uniform(state)
+def _creep(X, i, best, W, p, a, b, falls, draws):
+    """Move mould i by Eq. (2.7), second and third case.
 
-
-@jit
-def _creep(X, i, best, W, p, vb, vc, state):
-    population = X.shape[0]
-    for j in range(X.shape[1]):  # Eq. (2.7), second and third case
-        r = uniform(state)
-        A = below(population, state)
-        B = below(population, state)
-        if r < p:
-            X[i, j] = best[j] + vb[j] * (W[i, j] * X[A, j] - X[B, j])
+    `draws` holds the numbers of v_b, those of v_c unless that `falls`, then r, A and B of each
+    coordinate: the order in which the program draws them.
+    """
+    population, n = X.shape
+    first = n if falls else 2 * n
+    for j in range(n):
+        if draws[first + 3 * j] < p:
+            A = np.uint64(np.int64(population * draws[first + 3 * j + 1]))
+            B = np.uint64(np.int64(population * draws[first + 3 * j + 2]))
+            vb = -a + 2.0 * a * draws[j]
+            X[i, j] = best[j] + vb * (W[i, j] * X[A, j] - X[B, j])
         else:
-            X[i, j] = vc[j] * X[i, j]
+            vc = b if falls else -b + 2.0 * b * draws[n + j]
+            X[i, j] = vc * X[i, j]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -19,7 +19,7 @@ from typing import Any, Literal, Self, Unpack, get_args
 import numpy as np
 
 from repro.determinism.compiled import jit
-from repro.determinism.draws import below, uniform
+from repro.determinism.draws import below, drawn, drawn_below, fill, held, put_back, uniform
 from repro.determinism.sines import cosine_of_turns
 from repro.errors import InputError
 from repro.optimisers.choices import check_choices
@@ -53,6 +53,8 @@ Swing = Literal["none", "per dimension", "per whale"]
 def _slime_whale(cost, data, bounds, population, iterations, parameters, state):
     X = uniform_population(bounds, population, state)
     W = np.ones_like(X)
+    draws = np.empty(W.size)
+    words = np.empty(W.size, dtype=np.uint64)
     P = X.copy()
     costs = np.full(population, np.inf)
     best = np.zeros(bounds.shape[0])
@@ -74,7 +76,7 @@ def _slime_whale(cost, data, bounds, population, iterations, parameters, state):
                 copy_into(best, X[i])
         history[t - 1] = best_cost
         if parameters[WEIGHT] > 0.0:
-            _weigh(W, costs, parameters, state)
+            _weigh(W, costs, parameters, draws, words, state)
         if parameters[CONTROL] == 1.0:
             a = math.atanh(1.0 - t / iterations)  # Eq. (10)
         else:
@@ -90,19 +92,22 @@ def _slime_whale(cost, data, bounds, population, iterations, parameters, state):
 
 
 @jit
-def _weigh(W, costs, parameters, state):
+def _weigh(W, costs, parameters, draws, words, state):
+    population, n = W.shape
+    each, natural = parameters[EACH_WEIGHT] == 1.0, parameters[NATURAL] == 1.0
+    fill(draws[: W.size if each else population], words, state)
     order = np.argsort(costs, kind="mergesort")
     bF, wF = costs[order[0]], costs[order[-1]]
     for rank in range(len(order)):
         i = order[rank]
         share = (bF - costs[i]) / (bF - wF) if wF > bF else 0.0
-        logarithm = math.log(share + 1.0) if parameters[NATURAL] == 1.0 else math.log10(share + 1.0)
+        logarithm = math.log(share + 1.0) if natural else math.log10(share + 1.0)
         sign = 1.0 if 2 * (rank + 1) <= len(order) else -1.0
-        omega = 0.0
-        for j in range(W.shape[1]):
-            if j == 0 or parameters[EACH_WEIGHT] == 1.0:
-                omega = 1.0 + sign * uniform(state) * logarithm  # Eq. (11)
-            W[i, j] = omega
+        if each:
+            for j in range(n):
+                W[i, j] = 1.0 + sign * draws[rank * n + j] * logarithm  # Eq. (11)
+        else:
+            W[i, :] = 1.0 + sign * draws[rank] * logarithm
 
 
 @jit
@@ -131,31 +136,44 @@ def _move(X, seen, i, best, W, a, a2, parameters, state):
 def _encircle_or_search(X, seen, i, best, W, a, A, C, parameters, state):
     population, n = X.shape
     vector, one_leader = parameters[VECTOR] == 1.0, parameters[LEADER] == 1.0
-    k = below(population, state) if one_leader and (vector or abs(A) >= 1.0) else i
+    if not vector and abs(A) < 1.0:
+        for j in range(n):
+            X[i, j] = best[j] - A * abs(C * best[j] - X[i, j])  # Eq. (12)
+        return
+    k = np.uint64(below(population, state) if one_leader else i)
+    words = held(state)
     for j in range(n):
         if vector:
-            r = uniform(state)
+            r, words = drawn(words)
             A = 2.0 * a * r - a
-            C = 2.0 * (r if parameters[SHARED] == 1.0 else uniform(state))
+            if parameters[SHARED] == 0.0:
+                r, words = drawn(words)
+            C = 2.0 * r
         if abs(A) < 1.0:
             X[i, j] = best[j] - A * abs(C * best[j] - X[i, j])  # Eq. (12)
             continue
         if not one_leader:
-            k = below(population, state)
+            k, words = drawn_below(population, words)
         factor = C
         if parameters[WEIGHT] > 0.0:
             factor = W[i, j] if parameters[WEIGHT] == 1.0 else W[k, j]
         X[i, j] = seen[k, j] - A * abs(factor * seen[k, j] - X[i, j])  # Eq. (14)
+    put_back(words, state)
 
 
 @jit
 def _spiral(x, best, weight, a, turn, parameters, state):
     vb = 1.0
+    if parameters[SWING] == 2.0:
+        vb = -a + 2.0 * a * uniform(state)
+    words = held(state)
     for j in range(len(x)):
-        if parameters[SWING] == 1.0 or (parameters[SWING] == 2.0 and j == 0):
-            vb = -a + 2.0 * a * uniform(state)
+        if parameters[SWING] == 1.0:
+            u, words = drawn(words)
+            vb = -a + 2.0 * a * u
         omega = weight[j] if parameters[WEIGHT] == 1.0 else 1.0  # that of the best is 1
         x[j] = abs(omega * best[j] - x[j]) * (vb * turn) + best[j]  # Eq. (13)
+    put_back(words, state)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

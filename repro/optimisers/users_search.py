@@ -15,12 +15,20 @@ from numpy.typing import NDArray
 from repro.determinism.plain_costs import callable_cost
 from repro.determinism.source_digests import digest_of
 from repro.errors import InputError
+from repro.optimisers.asked_search import is_asked
 from repro.optimisers.global_generators import seeded
 from repro.optimisers.libraries.budget import BudgetSpent, iterations_of
-from repro.optimisers.metered import Meter, MeteredProblem
-from repro.optimisers.own_search import checked_point, filled, has_protocol
+from repro.optimisers.metered import ELSEWHERE, Meter, MeteredProblem, stopping_threads
+from repro.optimisers.own_search import checked_point, filled
+from repro.optimisers.returned_points import point_in
 from repro.optimisers.search import Budget, Problem, Result, noise_of, value, without_noise
-from repro.optimisers.search_forms import Offer, called_with, check_form, is_asked, point_in
+from repro.optimisers.search_forms import (
+    Offer,
+    as_object,
+    called_with,
+    check_form,
+    speaks_protocol,
+)
 
 Vector = NDArray[np.float64]
 ROUNDING = 1e-9  # share by which a cost may differ that was summed in another order
@@ -62,12 +70,12 @@ class Entrant:
 
         With another `salt` the shared generators are seeded otherwise. Raises as `minimise`.
         """
-        found = self.found()
         state = f"{salt}{budget['rng'].bit_generator.state}"
         seed = int.from_bytes(hashlib.sha256(state.encode()).digest()[:4], "big")
         try:
-            with seeded(seed):
-                if has_protocol(found):
+            with seeded(seed), stopping_threads():
+                found = as_object(self.found())
+                if speaks_protocol(found):
                     return _by_protocol(found, problem, budget)
                 return _by_call(found, problem, budget), ""
         except SystemExit:
@@ -80,15 +88,18 @@ def _by_call(found: Any, problem: Problem, budget: Budget) -> Result:  # noqa: A
     steps = iterations_of(budget)
     meter = Meter(problem, population=budget["population"], iterations=steps)
     offer = Offer(
-        cost=meter.as_function(), bounds=meter.bounds, budget=meter.budget, rng=budget["rng"]
-    )
+        cost=meter.as_function(), bounds=meter.bounds, budget=meter.budget, rng=budget["rng"],
+        population=budget["population"],
+    )  # fmt: skip
     try:
         returned = called_with(found, offer)
         if returned is not None or not (is_asked(found) or meter.spent):
             meter.judge(point_in(returned, len(meter.bounds)))
     except BudgetSpent:
         pass
-    except Exception:
+    except Exception as error:
+        if Meter.as_function.__qualname__ in str(error):  # of pickle, which cannot send it
+            raise InputError(ELSEWHERE) from None
         if not meter.overrun:  # what a library makes of being stopped, SystemError in C
             raise
     if meter.faults:
@@ -117,8 +128,7 @@ def load(place: str) -> Any:  # noqa: ANN401 (whatever the user wrote)
             message = f"{module!r} has no {name!r}; it has: {known or 'nothing'}"
             raise InputError(message)
         found = getattr(found, part)
-    if not has_protocol(found):
-        check_form(found, place)
+    check_form(found, place)
     return found
 
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 from repro.report.drawings.arm import motions_plot
 from repro.report.drawings.arm_motion import Moving
 from repro.report.drawings.draw import Drawing, drawing
-from repro.report.pages import render
+from repro.report.rendering import render
 from repro.robotics.skeleton import Skeleton
 
 

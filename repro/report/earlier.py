@@ -14,6 +14,7 @@ from repro.errors import InputError
 from repro.report.files import set_aside
 from repro.report.pages import ANOTHER_SEED
 from repro.report.results import PROVENANCE, SCHEMA
+from repro.report.rooms import check_names, pages_of_paper
 from repro.report.verdict_pages import VERDICTS
 
 RESULTS = "results.json"
@@ -32,7 +33,8 @@ def check_folder(folder: Path, chosen: Iterable[str], known: Iterable[str]) -> N
     `known` are the keys of all papers: what earlier files say of those that are not chosen stays.
     """
     keys = list(chosen)
-    pages = (*_PAGES, *(f"{key}.{kind}" for key in keys for kind in ("html", "md")))
+    check_names((*known, *keys))
+    pages = (*_PAGES, *(page for key in keys for page in pages_of_paper(key)))
     taken = [name for name in pages if (folder / name).exists()]
     if taken and not _is_ours(folder):
         message = (

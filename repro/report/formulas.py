@@ -102,15 +102,15 @@ def formula_anchor(formula: Formula) -> str:
     return anchor("equation", formula.label)
 
 
-def equation_links(text: str, formulas: Iterable[Formula]) -> Markup:
-    """Return text, safe for HTML, whose numbers of equations lead to the formulas shown."""
+def equation_links(text: str, formulas: Iterable[Formula], page: str = "#") -> Markup:
+    """Return text, safe for HTML, whose numbers of equations lead to the formulas on a page."""
     if not re.search(r"\bEqs?\. ", text):
         return escape(text)
     places = {number: formula_anchor(f) for f in formulas for number in _numbers(f.label)}
 
     def linked(match: re.Match[str]) -> str:
         place = places.get(int(match[1]))
-        return f'<a href="#{place}">({match[1]})</a>' if place else match[0]
+        return f'<a href="{escape(page)}{place}">({match[1]})</a>' if place else match[0]
 
     return Markup(re.sub(r"\((\d+)\)", linked, str(escape(text))))  # noqa: S704 (escaped)
 

@@ -6,7 +6,6 @@ The columns of each are described in docs/data.md.
 import dataclasses
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any
 
 import pandas as pd
 
@@ -107,7 +106,10 @@ def _findings(entry: Json) -> Iterable[Json]:
         for one in entry["findings"]
     )
     for name, one in zip(names, entry["findings"], strict=True):
-        measured, accepted = _ends(one["measured"]), _ends(one["accepted"])
+        measured, accepted = (
+            without_end(one[name]) if one[name] else (None, None)
+            for name in ("measured", "accepted")
+        )
         yield {
             **one,
             "measured_low": measured[0], "measured_high": measured[1],
@@ -117,10 +119,8 @@ def _findings(entry: Json) -> Iterable[Json]:
         }  # fmt: skip
 
 
-def _ends(interval: Any) -> tuple[float | None, float | None]:  # noqa: ANN401 (what JSON holds)
-    """Return both ends; one that is not there is infinite, as JSON has no infinity."""
-    if interval is None:
-        return None, None
+def without_end(interval: Sequence[float | None]) -> tuple[float, float]:
+    """Return both ends of an interval of results.json; one that is not there is infinite."""
     low, high = interval
     return -math.inf if low is None else low, math.inf if high is None else high
 

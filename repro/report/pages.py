@@ -1,36 +1,28 @@
 """Writing the reports folder: pages, figures, tables and results.json."""
 
 import shlex
-from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
-from functools import cache
 from pathlib import Path
 from types import MappingProxyType
 
-from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
-from markupsafe import Markup
-
-from repro.audit.alone import tables_alone
 from repro.audit.arms import rows_of_arm
-from repro.judge.findings import LEVEL
 from repro.judge.judgement import Judgement
 from repro.judge.verdict import Verdict
 from repro.model.figures import Arm, Figure
 from repro.model.identifiers import anchor
-from repro.model.measures.measure import TABLES
 from repro.model.paper import Paper
 from repro.report.calibration import calibration
-from repro.report.drawings.arm_viewer import viewer
 from repro.report.drawings.draw import Drawing, draw
-from repro.report.escapes import markdown_text
-from repro.report.files import usable_folder, write_file
-from repro.report.formulas import dollars, equation_links, formula_anchor, mathml, powers_of_ten
+from repro.report.files import remove_ours, usable_folder, write_file
 from repro.report.frames import DIGITS, FINDING, csv_text, findings_frame
+from repro.report.glossary import PAGE, glossary
+from repro.report.rendering import render
 from repro.report.results import (
     PROVENANCE,
     Environments,
     Json,
+    cell_counts,
     impossible_rows,
     merged,
     merged_provenance,
@@ -41,27 +33,27 @@ from repro.report.results import (
     results_text,
     verdict_counts,
 )
+from repro.report.rooms import (
+    OURS,
+    Room,
+    check_apart,
+    neighbours,
+    page_of,
+    pages_of_paper,
+    rooms_with,
+)
 from repro.report.run_files import packed_runs, place_of_runs
 from repro.report.verdict_pages import VERDICTS, verdict_context
 from repro.report.views.baselines import standings_view
 from repro.report.views.calibration import truthful
 from repro.report.views.findings import Shown, bare_table, everything, table_view, tallies
 from repro.report.views.heat_map import heat_map
-from repro.report.views.readings import readings_view, ruled_out_by, settings_of
+from repro.report.views.line_plot import least_values
+from repro.report.views.readings import ruled_out_by, settings_of
 from repro.report.views.runs import runs_view
-from repro.report.views.search_box import search_rows
-from repro.report.views.times import time_cells
-from repro.report.words import (
-    IMPOSSIBLE,
-    MEANINGS,
-    RESULTS,
-    SYMBOLS,
-    again_command,
-    command,
-    markdown_cell,
-    number,
-)
-from repro.tables.audit_words import read_lines, read_words
+from repro.report.views.search_box import search_index
+from repro.report.views.times import times_drawn
+from repro.report.views.weighed import weighed
 from repro.tables.rows import AuditRow
 
 Files = dict[str, str | bytes]
@@ -89,7 +81,10 @@ def write_report(
     entries, made = [], {}
     for judgement in judgements:
         key = judgement.paper.key
-        entries.append(_paper_files(judgement, master_seed, files, called.get(key, "")))
+        entry, own = _paper_files(judgement, master_seed, called.get(key, ""))
+        check_apart(files, own, key)
+        files |= own
+        entries.append(entry)
         made[key] = provenance_entry(judgement, environments.get(key, []), called.get(key, ""))
     results = merged(entries, read_results(folder / "results.json"), known)
     files["results.json"] = results_text(results)
@@ -101,44 +96,72 @@ def write_report(
     files |= index_files(results, read_json(folder / ANOTHER_SEED), all_called) | verdict_files()
     for name, content in files.items():
         write_file(folder / name, content)
+    for page in (page for key in made for page in pages_of_paper(key) if page not in files):
+        remove_ours(folder / page, f'<meta name="generator" content="{OURS}">')
     return results
 
 
-def _paper_files(judgement: Judgement, master_seed: str, files: Files, called: str) -> Json:
-    paper = judgement.paper
+def _paper_files(judgement: Judgement, master_seed: str, called: str) -> tuple[Json, Files]:
+    key = judgement.paper.key
     drawings = _drawings(judgement)
     entry = paper_result(judgement, master_seed)
-    calibrated = calibration()["rows"]
     runs = runs_view(judgement)
-    found = everything(judgement.findings, judgement.audit, settings_of(paper), ruled_out_by(paper))
-    times = zip(judgement.certificates, judgement.found_times, strict=True)
-    context = {
+    times = times_drawn(judgement)
+    rooms = _rooms(judgement, drawings, timed=bool(times))
+    entry["rooms"] = [room.name for room in rooms]
+    context = _context(judgement, entry, drawings, called) | runs.context()
+    context["times_drawn"] = times
+    files: Files = {}
+    for before, here, after in neighbours(rooms):
+        own = {"here": here, "before": before, "after": after, "rooms": rooms}
+        files[page_of(key, here)] = render("paper.html", context | own)
+    files[f"{key}.md"] = render("paper.md", context)
+    files |= {f"tables/{key}-{name}.csv": csv_text(d.frame, DIGITS) for name, d in times}
+    return entry, files | _data(judgement, entry, drawings) | runs.files(key)
+
+
+def _context(
+    judgement: Judgement, entry: Json, drawings: Sequence[Drawing], called: str
+) -> dict[str, object]:
+    """Return what the templates of a paper's pages name, less what is drawn of the runs."""
+    paper = judgement.paper
+    calibrated = calibration()["rows"]
+    found = everything(
+        *(judgement.findings, judgement.audit, settings_of(paper), ruled_out_by(paper)),
+        least=least_values(paper.claims, judgement.certificates),
+    )
+    return {
         "paper": paper,
         "called": called,
         "entry": entry,
+        "cited": entry["cited"],
         "counts": verdict_counts(entry),
-        "shown_counts": Counter(finding.verdict for finding in judgement.findings),
+        "shown_counts": cell_counts(entry),
         "truthful": truthful(judgement, calibrated),
         "not_calibrated": not calibrated,
         "tallies": tallies(found),
         **_printed(paper, found, judgement.audit),
-        **runs.context(),
-        "audit": judgement.audit,
-        "alone": [
-            (read_words(table), *read_lines(table, flag="")) for table in tables_alone(paper)
-        ],
-        "certificates": [(certificate, time_cells(certificate, own)) for certificate, own in times],
-        "readings": readings_view(judgement),
-        "besides": judgement.besides,
-        "reading_repeats": judgement.reading_repeats,
+        **weighed(judgement, found),
         "standings": tuple(map(standings_view, judgement.standings)),
-        "drawings": drawings,
+        "drawings": [  # with the names of their data
+            (drawing, anchor(figure.label))
+            for figure, drawing in zip(paper.figures, drawings, strict=True)
+        ],
         "provenance": entry["provenance"],
     }
-    files[f"{paper.key}.html"] = render("paper.html", context)
-    files[f"{paper.key}.md"] = render("paper.md", context)
-    files |= _data(judgement, entry, drawings) | runs.files(paper.key)
-    return entry
+
+
+def _rooms(judgement: Judgement, drawings: Sequence[Drawing], *, timed: bool) -> tuple[Room, ...]:
+    """Return the rooms that the paper fills; `timed` where times are drawn."""
+    live = [drawing for drawing in drawings if drawing.scene]
+    filled = {
+        "times": timed,
+        "optimum": judgement.certificates,
+        "figures": len(drawings) > len(live),
+        "arm": live,
+        "formulas": judgement.paper.formulas,
+    }
+    return rooms_with(lambda section: bool(filled.get(section, True)))
 
 
 def _printed(paper: Paper, found: Sequence[Shown], audit: Sequence[AuditRow]) -> dict[str, object]:
@@ -186,9 +209,16 @@ def _notes(key: str, figure: Figure) -> tuple[str, ...]:
 
 
 def verdict_files() -> Files:
-    """Return the pages that say how verdicts are made."""
-    context = verdict_context(calibration())
-    return {f"{VERDICTS}.{kind}": render(f"{VERDICTS}.{kind}", context) for kind in ("html", "md")}
+    """Return the pages that say how verdicts are made, and what the words mean."""
+    pages: dict[str, Mapping[str, object]] = {
+        VERDICTS: verdict_context(calibration()),
+        PAGE: {"terms": glossary().terms},
+    }
+    return {
+        f"{name}.{kind}": render(f"{name}.{kind}", context)
+        for name, context in pages.items()
+        for kind in ("html", "md")
+    }
 
 
 def index_files(
@@ -209,9 +239,10 @@ def index_files(
         "controls": [paper for paper in papers if paper["control"]],
         "others": [paper for paper in papers if not paper["control"]],
         "counts_of": verdict_counts,
+        "shown_of": cell_counts,
         "impossible_of": impossible_rows,
         "verdicts": [v for v in Verdict if v != Verdict.NOT_RUN or not_run],
-        "search_rows": search_rows(papers),
+        "search": search_index(papers, glossary()),
         "another_seed": another_seed,
         "again": _all_again(papers, called),
     }
@@ -227,50 +258,6 @@ def _all_again(papers: Sequence[Json], called: Mapping[str, str]) -> str:
     else:
         given = ("nox", "-s", "reproduce", "--")
     return shlex.join((*given, "--repeats", repeats))
-
-
-@cache
-def _templates(*, markdown: bool) -> Environment:
-    environment = Environment(
-        loader=PackageLoader("repro.report"),
-        autoescape=select_autoescape(["html.jinja"]),
-        undefined=StrictUndefined,
-        finalize=_without_tags if markdown else None,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        keep_trailing_newline=True,
-    )
-    environment.filters |= {
-        "number": number,
-        "raised": powers_of_ten,
-        "mathml": mathml,
-        "formula_anchor": formula_anchor,
-        "equation_links": equation_links,
-        "dollars": dollars,
-        "anchor": anchor,
-        "markup": Markup,  # for the SVG that we draw and what our macros return
-        "comparison_rows": lambda c: [(problem, *texts) for problem, texts in c.rows],
-        "cell": markdown_cell,
-    }
-    environment.globals |= {"viewer": viewer, "again_command": again_command, "command": command}
-    environment.globals |= {"level": LEVEL, "tables_drawn": TABLES, "HOW": VERDICTS}
-    environment.globals |= {"SYMBOLS": SYMBOLS, "MEANINGS": MEANINGS, "VERDICTS": tuple(Verdict)}
-    environment.globals |= {"place_of_runs": place_of_runs}
-    environment.globals |= {"NOT_REPRODUCIBLE": Verdict.NOT_REPRODUCIBLE}
-    environment.globals |= {"RESULTS": RESULTS, "IMPOSSIBLE": IMPOSSIBLE}
-    return environment
-
-
-def render(name: str, context: Mapping[str, object]) -> str:
-    """Return a page made of a template and what it shows."""
-    return _templates(markdown=name.endswith(".md")).get_template(f"{name}.jinja").render(context)
-
-
-def _without_tags(value: object) -> object:
-    """Return what a Markdown page may show, as HTML pages escape it."""
-    if isinstance(value, str) and not isinstance(value, Markup):
-        return markdown_text(value)
-    return value
 
 
 def _data(judgement: Judgement, entry: Json, drawings: Sequence[Drawing]) -> Files:

@@ -8,10 +8,12 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
+from repro.judge.conclusions import conclude
 from repro.judge.counting import counts
 from repro.judge.judgement import Judgement
 from repro.model.assumptions import Assumption
 from repro.report.calibration import calibration
+from repro.report.cited import cited
 from repro.report.plain_rows import rows_of_standings, rows_of_tests
 from repro.tables.rows import Grade
 
@@ -30,6 +32,7 @@ def paper_result(judgement: Judgement, master_seed: str) -> Json:
     return {
         "key": paper.key,
         "title": paper.source.title,
+        "cited": cited(paper.key, paper.source),
         "control": paper.control,
         "summary": paper.summary,
         "provenance": {
@@ -41,6 +44,7 @@ def paper_result(judgement: Judgement, master_seed: str) -> Json:
             "master_seed": master_seed,
             "drawn_as": dict(judgement.drawn_as),
         },
+        "conclusions": _finite(dataclasses.asdict(conclude(judgement))),
         "findings": _plain(judgement.findings),
         "audit": _plain(judgement.audit),
         "certificates": _plain(judgement.certificates),
@@ -49,6 +53,9 @@ def paper_result(judgement: Judgement, master_seed: str) -> Json:
         "assumptions": [_assumption(assumption) for assumption in paper.assumptions],
         "errata": _plain(paper.errata),
         "gaps": _plain(paper.gaps),
+        "equations": [
+            {"label": each.label, "where": each.where, "says": each.says} for each in paper.formulas
+        ],
     }
 
 
@@ -163,6 +170,11 @@ def impossible_rows(entry: Mapping[str, Any]) -> list[Json]:
         for row in entry["audit"]
         if row["grade"] == Grade.IMPOSSIBLE and row.get("condition") is None
     ]
+
+
+def cell_counts(entry: Mapping[str, Any]) -> Counter[str]:
+    """Return how many numbers of a paper's tables have each verdict, each by itself."""
+    return Counter(finding["verdict"] for finding in entry["findings"] if finding["table"])
 
 
 def verdict_counts(entry: Mapping[str, Any]) -> Counter[str]:

@@ -119,9 +119,9 @@ def _power(match: re.Match[str]) -> str:
 
 
 def verdict_words(verdict: str, side: str | None) -> str:
-    """Return symbol and words of a verdict, with the side of a contradicted number."""
+    """Return symbol and words of a verdict, with the side on which the re-run lies of it."""
     word = Verdict(verdict)
-    return f"{SYMBOLS[word]} {word}" + (f" ({side})" if side else "")
+    return f"{SYMBOLS[word]} {word}" + (f" (re-run {side})" if side else "")
 
 
 def share(quantile: float | None, tables: int) -> str:

@@ -1,10 +1,12 @@
 import json
+import re
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
+from repro.__main__ import main
 from repro.commands.again import Again, RunFailedError, named_claim, run_again
 from repro.errors import InputError
 from repro.model.paper import Paper
@@ -42,7 +44,43 @@ def test_the_text_says_where_the_number_stands_and_what_is_accepted() -> None:
 
     assert lines[0] == "Table 3, WOA, mean"
     assert lines[1].split() == ["printed", "2.357", "s"]
-    assert lines[3].split() == ["accepted", "2.3329", "…", "2.3811", "s"]
+    assert lines[3].split()[0] == "interval"
+    assert lines[4] == "  accepted  2.3329 … 2.3811 s (within 1 % and the printed rounding)"
+    assert lines[5].startswith("  verdict   ")
+    assert "provisional: one repeat only" in lines[5]
+
+
+def test_the_verdict_says_on_which_side_the_rerun_lies() -> None:
+    text = again("table-2-f1-mean-pso").text
+
+    assert "  interval  173.1 … 2070\n" in text
+    assert "  verdict   ✖ contradicted (re-run higher); provisional: one repeat only\n" in text
+
+
+def test_what_the_pages_say_stands_beside_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    pages = pages_of(tmp_path)
+    (finding,) = (
+        one
+        for one in json.loads(pages["results.json"])["papers"][0]["findings"]
+        if (one["row"], one["column"]) == ("F1 Mean", "PSO")
+    )
+    monkeypatch.setattr("repro.commands.catalogue.chosen_one", lambda _: PAPER)
+    asked = ["again", "doe2021", "table-2-f1-mean-pso", "--workers", "1"]
+
+    codes = [
+        main([*asked, "--reports", str(tmp_path / "reports")]),
+        main([*asked, "--master-seed", "b"]),
+    ]
+    first, other = capsys.readouterr().out.split("Table 2, F1 Mean, PSO\n")[1:]
+
+    assert codes == [0, 0]
+    repeats = f"by {finding['repeats']} repeats; re-run 689.8, as here"
+    assert re.search(
+        rf"  its page  ✖ contradicted \(re-run higher\); interval .* {repeats}\n", first
+    )
+    assert "its page" not in other
 
 
 def test_a_claim_in_words_is_run_again_on_all_that_it_compares() -> None:
@@ -56,9 +94,20 @@ def test_a_part_of_a_name_is_enough_where_only_one_has_it() -> None:
     assert named_claim(PAPER, "f1-mean-pso") == named_claim(PAPER, "table-2-f1-mean-pso")
 
 
-@pytest.mark.parametrize(("name", "count"), [("table-2-f1-mean", "2"), ("F9", "no")])
-def test_a_name_of_none_or_of_several_is_refused_with_names_that_fit(name: str, count: str) -> None:
-    with pytest.raises(InputError, match=f"has {count} numbers named '{name}'.*\\n +table-2-f1-"):
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("table-2-f1-mean", "2 numbers named .*; these: table-2-f1-mean-woa, table-2-f1-mean-pso"),
+        ("table-2", "4 numbers named 'table-2'; these: (table-2[^,]*, ){2}[^,]* and 1 more"),
+        ("Tabel 3 WOA mean", "no number named .*; the most like it: table-3-woa-mean, "),
+        ("the-woa-of-f1-best", "no number named .*; the most like it: table-2-f1-best-woa, "),
+        ("#", "no number named '#'; the most like it: "),
+    ],
+)
+def test_a_name_of_none_or_of_several_is_refused_in_a_line_with_names_like_it(
+    name: str, said: str
+) -> None:
+    with pytest.raises(InputError, match=rf"^doe2021 has {said}[^\n]*$"):
         named_claim(PAPER, name)
 
 

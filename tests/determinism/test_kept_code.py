@@ -9,9 +9,13 @@ from itertools import pairwise
 from pathlib import Path
 
 import pytest
+from numba.core.caching import FunctionCache
 
 import repro
 from repro.determinism import kept_code
+from repro.determinism.source_digests import told
+from repro.functions import FUNCTIONS
+from repro.optimisers.random_search import RandomSearch
 
 PACKAGE = Path(repro.__file__).parent
 
@@ -94,23 +98,35 @@ def test_what_cannot_be_written_beside_the_package_is_kept_for_the_user(
     shutil.rmtree(package / "__pycache__")
     (package / "__pycache__").write_text("in the way")
     monkeypatch.setenv("NUMBA_CACHE_DIR", "/proc/nowhere")
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
-    monkeypatch.setattr(sys, "platform", "linux")
+    of_user = tmp_path / "cache" / "repro"
+    monkeypatch.setattr(kept_code, "user_cache_path", lambda *_, **__: of_user)
 
     found = kept_code.kept_in()
 
     assert beside is not None
-    assert found == tmp_path / "cache" / "repro" / beside.name
+    assert found == of_user / beside.name
 
 
 def test_where_nothing_can_be_written_nothing_is_kept(
     package: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (package / "__pycache__").write_text("in the way")
-    monkeypatch.setenv("XDG_CACHE_HOME", "/proc/nowhere")
-    monkeypatch.setattr(sys, "platform", "linux")
+    monkeypatch.setattr(kept_code, "user_cache_path", lambda *_, **__: Path("/proc/nowhere"))
 
     assert kept_code.kept_in() is None
+
+
+def test_a_user_without_a_home_gets_no_folder_called_tilde(
+    package: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (package / "__pycache__").write_text("in the way")
+    monkeypatch.chdir(package)
+    monkeypatch.delenv("HOME", raising=False)
+    monkeypatch.delenv("XDG_CACHE_HOME", raising=False)
+    monkeypatch.setattr("pwd.getpwuid", {}.__getitem__)
+
+    assert kept_code.kept_in() is None
+    assert not (package / "~").exists()
 
 
 EDITS = {
@@ -119,6 +135,19 @@ EDITS = {
     "optimisers/population.py": ("target[j] = source[j]", "target[j] = 0.5 * source[j]"),
     "functions/unimodal.py": ("total += x[j] * x[j]", "total -= x[j] * x[j]"),
 }
+
+
+def test_every_file_with_kept_code_that_the_edited_run_reaches_is_among_the_edited() -> None:
+    parts = told(algorithm=RandomSearch(), problem=FUNCTIONS["sphere"].problem(2)).parts
+    kept = set()
+    for name, _, module in (part.rpartition(" of ") for part in parts):
+        found = getattr(sys.modules.get(module), name, None)
+        if isinstance(getattr(found, "_cache", None), FunctionCache):
+            kept.add(sys.modules[module].__file__)
+
+    assert kept == {str(PACKAGE / name) for name in EDITS}
+
+
 RUN = """
 import importlib, json, sys
 import numpy as np

@@ -115,7 +115,7 @@ def test_differences_are_in_percent_or_decades(printed: str, value: float, text:
 
 
 def test_a_verdict_names_the_side() -> None:
-    assert verdict_words("contradicted", "lower") == "✖ contradicted (lower)"
+    assert verdict_words("contradicted", "lower") == "✖ contradicted (re-run lower)"
 
 
 def test_an_anchor_has_letters_digits_and_hyphens_only() -> None:

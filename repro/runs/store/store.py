@@ -19,14 +19,10 @@ from repro.runs.store.damage import (
     take_over,
     whole_rows,
 )
-from repro.runs.store.file import (
-    NAME,
-    UNREADABLE,
-    open_to_read,
-    open_to_write,
-    refusing,
-)
+from repro.runs.store.file import NAME, UNREADABLE, open_to_read, open_to_write, refusing
 from repro.runs.store.lock import lock, lock_to_read
+from repro.runs.store.questions import AT_ONCE, Kind, finished_of, held_keys, seconds_by_kind
+from repro.runs.store.questions import finished_keys as finished_keys_of
 from repro.runs.store.row import COLUMNS, curve_of, digest, pack, record_of, values_of
 
 if TYPE_CHECKING:
@@ -125,17 +121,34 @@ class Store:
             self._environment = text
 
     def missing(self, tasks: Iterable[Task]) -> list[Task]:
-        """Return the tasks without a finished run, in order; failed runs are tried again.
+        """Return the tasks without a finished run, in order; see `lacking`."""
+        return list(self.lacking(tasks))
+
+    def lacking(self, tasks: Iterable[Task]) -> Iterator[Task]:
+        """Yield the tasks without a finished run, in order; failed runs are tried again.
 
         Raises DamageError for a run that is missing because its row is damaged.
         """
-        finished = self.finished()
-        missing = [task for task in tasks if task.key not in finished]
-        for task in missing:
-            number = self._number(task)
-            if number is not None:
-                self._record(task, number)
-        return missing
+        rest = iter(tasks)
+        with self._refusing():
+            held = held_keys(self._database)
+        while some := list(islice(rest, AT_ONCE)):
+            finished = held
+            if finished is None:
+                with self._refusing():
+                    finished = finished_of(self._database, [task.key for task in some])
+            for task in some:
+                if task.key not in finished:
+                    self._refuse_damaged(task, hidden=held is None)
+                    yield task
+
+    def _refuse_damaged(self, task: Task, *, hidden: bool) -> None:
+        """Raise DamageError for the damaged row of a task that has no finished one."""
+        number = self._number(task)
+        if number is not None:
+            self._record(task, number)
+        elif hidden:
+            self._refuse_hidden()
 
     def _number(self, task: Task) -> Any:  # noqa: ANN401 (what a damaged index holds)
         """Return the id that the index has for a task; None where it has none."""
@@ -169,8 +182,12 @@ class Store:
     def finished(self) -> frozenset[str]:
         """Return the keys of all finished runs."""
         with self._refusing():
-            rows = self._database.execute("select key from run where reason is null")
-            return frozenset(key for (key,) in rows)
+            return finished_keys_of(self._database)
+
+    def seconds(self) -> dict[Kind, float]:
+        """Return what a finished run took, by kind."""
+        with self._refusing():
+            return seconds_by_kind(self._database)
 
     def fingerprint(self) -> str | None:
         """Return a digest of the whole file; None while a reader keeps runs in the journal."""

@@ -4,7 +4,7 @@ import pytest
 
 from repro.judge.beside_baselines import experiment_standings, paper_standings
 from repro.model.evidence import Cell, Runs
-from repro.report.pages import render
+from repro.report.rendering import render
 from repro.report.views.baselines import standings_view
 from tests.judge.test_beside_baselines import EQUAL, EXPERIMENT, every_run, runs
 from tests.small_papers import PAPER

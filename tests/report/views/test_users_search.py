@@ -5,7 +5,7 @@ import numpy as np
 from repro.judge.users_search import printed_means, users_search
 from repro.model.evidence import Runs
 from repro.model.paper import Paper
-from repro.report.pages import render
+from repro.report.rendering import render
 from repro.report.views.users_search import users_search_view
 from tests.small_papers import EXPERIMENT, PAPER
 
