@@ -15,6 +15,7 @@ from repro.model.identifiers import anchor
 from repro.model.paper import Paper
 from repro.report.calibration import calibration
 from repro.report.drawings.draw import Drawing, draw
+from repro.report.drawings.svg import standalone
 from repro.report.files import remove_ours, usable_folder, write_file
 from repro.report.frames import DIGITS, FINDING, csv_text, findings_frame
 from repro.report.rendering import render
@@ -49,7 +50,7 @@ from repro.report.views.calibration import truthful
 from repro.report.views.findings import Shown, bare_table, everything, table_view, tallies
 from repro.report.views.heat_map import heat_map
 from repro.report.views.readings import readings_view, ruled_out_by, settings_of
-from repro.report.views.runs import runs_view
+from repro.report.views.runs import RunsView, runs_view
 from repro.report.views.search_box import search_rows
 from repro.report.views.times import time_cells
 from repro.tables.audit_words import read_lines, read_words
@@ -106,12 +107,12 @@ def _paper_files(judgement: Judgement, master_seed: str, called: str) -> tuple[J
     entry = paper_result(judgement, master_seed)
     runs = runs_view(judgement)
     context = _context(judgement, entry, drawings, called) | runs.context()
-    rooms = _rooms(judgement, drawings)
+    rooms = _rooms(judgement, drawings, runs)
     files: Files = {}
     for before, here, after in neighbours(rooms):
         own = {"here": here, "before": before, "after": after, "rooms": rooms}
         files[page_of(key, here)] = render("paper.html", context | own)
-    files[f"{key}.md"] = render("paper.md", context)
+    files[f"{key}.md"] = render("paper.md", context | {"rooms": rooms})
     return entry, files | _data(judgement, entry, drawings) | runs.files(key)
 
 
@@ -150,13 +151,15 @@ def _context(
     }
 
 
-def _rooms(judgement: Judgement, drawings: Sequence[Drawing]) -> tuple[Room, ...]:
+def _rooms(judgement: Judgement, drawings: Sequence[Drawing], runs: RunsView) -> tuple[Room, ...]:
     """Return the rooms that the paper fills."""
     live = [drawing for drawing in drawings if drawing.scene]
     filled = {
         "optimum": judgement.certificates,
         "figures": len(drawings) > len(live),
         "arm": live,
+        "distributions": runs.distributions,
+        "centre_bias": runs.centre_biases or runs.shiftable,
         "formulas": judgement.paper.formulas,
     }
     return rooms_with(lambda section: bool(filled.get(section, True)))
@@ -260,7 +263,9 @@ def _data(judgement: Judgement, entry: Json, drawings: Sequence[Drawing]) -> Fil
         for group in groups.unique()
     }
     for figure, drawing in zip(paper.figures, drawings, strict=True):
-        files[f"tables/{paper.key}-{anchor(figure.label)}.csv"] = csv_text(drawing.frame, DIGITS)
+        name = f"{paper.key}-{anchor(figure.label)}"
+        files[f"tables/{name}.csv"] = csv_text(drawing.frame, DIGITS)
+        files[f"figures/{name}.svg"] = standalone(drawing.svg)
     if paper.experiments:
         files[place_of_runs(paper.key)] = packed_runs(judgement.runs)
     return files

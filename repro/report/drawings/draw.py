@@ -1,5 +1,6 @@
 """The counterpart of a paper's figure: a drawing, what it says in words, and its data."""
 
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
@@ -36,6 +37,11 @@ class Drawing:
     frame: pd.DataFrame = field(compare=False)  # a frame is equal to none as a whole
     scene: Scene | None = None
     notes: tuple[str, ...] = ()
+
+    @property
+    def caption(self) -> str:
+        """What is drawn, in the first sentence of the description, whose numbers the data hold."""
+        return re.split(r"(?<=[a-z)°²³]\.)\s", self.description, maxsplit=1)[0]
 
 
 def draw(
