@@ -49,6 +49,7 @@ from repro.report.views.baselines import standings_view
 from repro.report.views.calibration import truthful
 from repro.report.views.findings import Shown, bare_table, everything, table_view, tallies
 from repro.report.views.heat_map import heat_map
+from repro.report.views.line_plot import least_values
 from repro.report.views.readings import readings_view, ruled_out_by, settings_of
 from repro.report.views.runs import RunsView, runs_view
 from repro.report.views.search_box import search_rows
@@ -122,7 +123,10 @@ def _context(
     """Return what the templates of a paper's pages name, less what is drawn of the runs."""
     paper = judgement.paper
     calibrated = calibration()["rows"]
-    found = everything(judgement.findings, judgement.audit, settings_of(paper), ruled_out_by(paper))
+    found = everything(
+        *(judgement.findings, judgement.audit, settings_of(paper), ruled_out_by(paper)),
+        least=least_values(paper.claims, judgement.certificates),
+    )
     times = zip(judgement.certificates, judgement.found_times, strict=True)
     return {
         "paper": paper,

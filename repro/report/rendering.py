@@ -7,7 +7,7 @@ from pathlib import PurePosixPath
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 from markupsafe import Markup
 
-from repro.judge.findings import LEVEL
+from repro.judge.findings import IN_WORDS, LEVEL
 from repro.judge.verdict import Verdict
 from repro.model.identifiers import anchor
 from repro.model.measures.measure import TABLES
@@ -59,7 +59,7 @@ def _templates(*, markdown: bool) -> Environment:
     environment.globals |= {"again_command": again_command, "command": command}
     environment.globals |= {"level": LEVEL, "tables_drawn": TABLES, "HOW": VERDICTS}
     environment.globals |= {"SYMBOLS": SYMBOLS, "MEANINGS": MEANINGS, "VERDICTS": tuple(Verdict)}
-    environment.globals |= {"place_of_runs": place_of_runs}
+    environment.globals |= {"place_of_runs": place_of_runs, "IN_WORDS": IN_WORDS}
     environment.globals |= {"NOT_REPRODUCIBLE": Verdict.NOT_REPRODUCIBLE}
     environment.globals |= {"RESULTS": RESULTS, "IMPOSSIBLE": IMPOSSIBLE}
     return environment
