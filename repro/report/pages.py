@@ -8,6 +8,7 @@ from pathlib import Path
 from types import MappingProxyType
 
 from repro.audit.arms import rows_of_arm
+from repro.judge.by_print import printed_sizes
 from repro.judge.judgement import Judgement
 from repro.judge.verdict import Verdict
 from repro.model.figures import Arm, Figure
@@ -110,7 +111,13 @@ def _context(
     """Return what the templates of a paper's pages name, less what is drawn of the runs."""
     paper = judgement.paper
     calibrated = calibration()["rows"]
-    found = everything(judgement.findings, judgement.audit, settings_of(paper), ruled_out_by(paper))
+    found = everything(
+        judgement.findings,
+        judgement.audit,
+        settings_of(paper),
+        ruled_out_by(paper),
+        printed_sizes(paper),
+    )
     return {
         "paper": paper,
         "called": called,

@@ -276,3 +276,19 @@ def test_index_says_what_another_master_seed_changes(pages: dict[str, str]) -> N
         assert "consistent → undecided (1)" in index
         assert "another-seed.json" in index
         assert "another-seed.json" not in index_files(results)[name]
+
+
+def test_a_caption_is_short_and_folds_its_numbers(pages: dict[str, str]) -> None:
+    captions = [
+        caption
+        for name, page in pages.items()
+        if name.startswith("doe2021.") and name.endswith(".html")
+        for caption in re.findall(r"<figcaption>(.*?)</figcaption>", page, re.DOTALL)
+    ]
+
+    assert len(captions) > 4
+    for caption in captions:
+        shown, fold, _ = caption.partition("<details>")
+        text = re.sub("<.*?>", "", shown).strip()
+        assert len(re.findall(r"\. |\.$", text)) <= 4, text  # title and data are two
+        assert fold
