@@ -6,8 +6,8 @@ from dataclasses import replace
 from pathlib import Path
 from types import MappingProxyType
 
-from repro.audit.alone import tables_alone
 from repro.audit.arms import rows_of_arm
+from repro.judge.by_print import printed_sizes
 from repro.judge.judgement import Judgement
 from repro.judge.verdict import Verdict
 from repro.model.figures import Arm, Figure
@@ -50,11 +50,11 @@ from repro.report.views.calibration import truthful
 from repro.report.views.findings import Shown, bare_table, everything, table_view, tallies
 from repro.report.views.heat_map import heat_map
 from repro.report.views.line_plot import least_values
-from repro.report.views.readings import readings_view, ruled_out_by, settings_of
+from repro.report.views.readings import ruled_out_by, settings_of
 from repro.report.views.runs import RunsView, runs_view
 from repro.report.views.search_box import search_rows
-from repro.report.views.times import time_cells
-from repro.tables.audit_words import read_lines, read_words
+from repro.report.views.times import times_drawn
+from repro.report.views.weighed import weighed
 from repro.tables.rows import AuditRow
 
 Files = dict[str, str | bytes]
@@ -107,14 +107,19 @@ def _paper_files(judgement: Judgement, master_seed: str, called: str) -> tuple[J
     drawings = _drawings(judgement)
     entry = paper_result(judgement, master_seed)
     runs = runs_view(judgement)
+    times = times_drawn(judgement)
     context = _context(judgement, entry, drawings, called) | runs.context()
-    rooms = _rooms(judgement, drawings, runs)
+    context["times_drawn"] = times
+    rooms = _rooms(judgement, drawings, runs, timed=bool(times))
     files: Files = {}
     for before, here, after in neighbours(rooms):
         own = {"here": here, "before": before, "after": after, "rooms": rooms}
         files[page_of(key, here)] = render("paper.html", context | own)
     files[f"{key}.md"] = render("paper.md", context | {"rooms": rooms})
-    return entry, files | _data(judgement, entry, drawings) | runs.files(key)
+    files |= _data(judgement, entry, drawings) | runs.files(key)
+    files |= {f"tables/{key}-{name}.csv": csv_text(d.frame, DIGITS) for name, d in times}
+    files |= {f"figures/{key}-{name}.svg": standalone(d.svg) for name, d in times}
+    return entry, files
 
 
 def _context(
@@ -124,13 +129,17 @@ def _context(
     paper = judgement.paper
     calibrated = calibration()["rows"]
     found = everything(
-        *(judgement.findings, judgement.audit, settings_of(paper), ruled_out_by(paper)),
+        judgement.findings,
+        judgement.audit,
+        settings_of(paper),
+        ruled_out_by(paper),
+        sizes=printed_sizes(paper),
         least=least_values(paper.claims, judgement.certificates),
     )
-    times = zip(judgement.certificates, judgement.found_times, strict=True)
     return {
         "paper": paper,
         "called": called,
+        "entry": entry,
         "cited": entry["cited"],
         "counts": verdict_counts(entry),
         "shown_counts": cell_counts(entry),
@@ -138,14 +147,7 @@ def _context(
         "not_calibrated": not calibrated,
         "tallies": tallies(found),
         **_printed(paper, found, judgement.audit),
-        "audit": judgement.audit,
-        "alone": [
-            (read_words(table), *read_lines(table, flag="")) for table in tables_alone(paper)
-        ],
-        "certificates": [(certificate, time_cells(certificate, own)) for certificate, own in times],
-        "readings": readings_view(judgement),
-        "besides": judgement.besides,
-        "reading_repeats": judgement.reading_repeats,
+        **weighed(judgement, found),
         "standings": tuple(map(standings_view, judgement.standings)),
         "drawings": [  # with the names of their data
             (drawing, anchor(figure.label))
@@ -155,10 +157,13 @@ def _context(
     }
 
 
-def _rooms(judgement: Judgement, drawings: Sequence[Drawing], runs: RunsView) -> tuple[Room, ...]:
-    """Return the rooms that the paper fills."""
+def _rooms(
+    judgement: Judgement, drawings: Sequence[Drawing], runs: RunsView, *, timed: bool
+) -> tuple[Room, ...]:
+    """Return the rooms that the paper fills; `timed` where times are drawn."""
     live = [drawing for drawing in drawings if drawing.scene]
     filled = {
+        "times": timed,
         "optimum": judgement.certificates,
         "figures": len(drawings) > len(live),
         "arm": live,

@@ -17,6 +17,7 @@ from repro.report.formulas import dollars, equation_links, formula_anchor, mathm
 from repro.report.rooms import OURS, address, page_of, to
 from repro.report.run_files import place_of_runs
 from repro.report.verdict_pages import VERDICTS
+from repro.report.views.conclusions import concluded
 from repro.report.words import (
     IMPOSSIBLE,
     MEANINGS,
@@ -33,7 +34,7 @@ from repro.report.words import (
 def _templates(*, markdown: bool) -> Environment:
     environment = Environment(
         loader=PackageLoader("repro.report"),
-        autoescape=select_autoescape(["html.jinja"]),
+        autoescape=select_autoescape([] if markdown else ["html.jinja"]),
         undefined=StrictUndefined,
         finalize=_without_tags if markdown else None,
         trim_blocks=True,
@@ -60,6 +61,7 @@ def _templates(*, markdown: bool) -> Environment:
     environment.globals |= {"level": LEVEL, "tables_drawn": TABLES, "HOW": VERDICTS}
     environment.globals |= {"SYMBOLS": SYMBOLS, "MEANINGS": MEANINGS, "VERDICTS": tuple(Verdict)}
     environment.globals |= {"place_of_runs": place_of_runs, "IN_WORDS": IN_WORDS}
+    environment.globals |= {"concluded": concluded}
     environment.globals |= {"NOT_REPRODUCIBLE": Verdict.NOT_REPRODUCIBLE}
     environment.globals |= {"RESULTS": RESULTS, "IMPOSSIBLE": IMPOSSIBLE}
     return environment

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
+from repro.judge.conclusions import conclude
 from repro.judge.counting import counts
 from repro.judge.judgement import Judgement
 from repro.model.assumptions import Assumption
@@ -43,6 +44,7 @@ def paper_result(judgement: Judgement, master_seed: str) -> Json:
             "master_seed": master_seed,
             "drawn_as": dict(judgement.drawn_as),
         },
+        "conclusions": _finite(dataclasses.asdict(conclude(judgement))),
         "findings": _plain(judgement.findings),
         "audit": _plain(judgement.audit),
         "certificates": _plain(judgement.certificates),

@@ -162,9 +162,13 @@ def test_flag_marks_what_no_runs_whatever_give_and_nothing_else(pages: dict[str,
     ]
     assert pages["doe2021.tables.html"].count(" data-marked") == 2
     assert "<dt>audit: impossible</dt>" in pages["doe2021.tables.html"]
-    assert re.findall(r"<td>(impossible.*?)</td>", pages["doe2021.audit.html"]) == [
-        *("impossible ⚑", "impossible ⚑", "impossible")
+    own = pages["doe2021.audit.html"]
+    assert re.findall(r'<h3 id="audit-\w+">(.*?)</h3>', own) == [
+        "⚑ 2 rows: cannot be, whatever was run",
+        "1 row: cannot be if a condition holds",
     ]
+    reasons = re.findall(r"<h4>(.*?)</h4>", own)
+    assert [reason.startswith("⚑") for reason in reasons] == [True, True, False]
     for name in ("index.html", "verdicts.md"):
         flagged = r'<td data-name="⚑ impossible">2</td>|\| 2 \| 2 \|'
         assert re.search(flagged, pages[name]), name
@@ -275,3 +279,19 @@ def test_index_says_what_another_master_seed_changes(pages: dict[str, str]) -> N
         assert "consistent → undecided (1)" in index
         assert "another-seed.json" in index
         assert "another-seed.json" not in index_files(results)[name]
+
+
+def test_a_caption_is_short_and_folds_its_numbers(pages: dict[str, str]) -> None:
+    captions = [
+        caption
+        for name, page in pages.items()
+        if name.startswith("doe2021.") and name.endswith(".html")
+        for caption in re.findall(r"<figcaption>(.*?)</figcaption>", page, re.DOTALL)
+    ]
+
+    assert len(captions) > 4
+    for caption in captions:
+        shown, fold, _ = caption.partition("<details>")
+        text = re.sub("<.*?>", "", shown).strip()
+        assert len(re.findall(r"\. |\.$", text)) <= 4, text  # title and data are two
+        assert fold

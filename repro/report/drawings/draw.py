@@ -19,6 +19,7 @@ from repro.report.drawings.svg import inline_svg
 from repro.report.drawings.tool_path import tool_path_plot
 
 NOTHING = "No runs yet"
+_FIRST = re.compile(r"[.:;] (?=\D)")  # the end of what is said before numbers are
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -40,8 +41,8 @@ class Drawing:
 
     @property
     def caption(self) -> str:
-        """What is drawn, in the first sentence of the description, whose numbers the data hold."""
-        return re.split(r"(?<=[a-z)°²³]\.)\s", self.description, maxsplit=1)[0]
+        """What is drawn, as one sentence: the description up to its first numbers."""
+        return _FIRST.split(self.description, maxsplit=1)[0].removesuffix(".") + "."
 
 
 def draw(
