@@ -66,15 +66,23 @@ BEYOND = """() => [...document.querySelectorAll(".verdict, .prose td, .cell td, 
   .filter(each => each.offsetParent && !each.closest("table.heat"))
   .filter(each => each.getBoundingClientRect().right > document.documentElement.clientWidth + 1)
   .map(each => each.outerHTML.slice(0, 80))"""
-# tab stops before the first number of a table, in the order of the page
+# tab stops before the first number of a table, past a skip link where that is nearer
 STOPS = """() => {
   const seen = each => each.checkVisibility({ visibilityProperty: true });
   const first = [...document.querySelectorAll("main td")]
     .find(cell => seen(cell) && /\\d|=|\\+|−/.test(cell.textContent));
-  const stops = "a[href], button, input, select, summary, canvas, [tabindex]";
-  return first ? [...document.querySelectorAll(stops)].filter(each => each.tabIndex >= 0)
-    .filter(each => seen(each) && !first.contains(each)
-      && each.compareDocumentPosition(first) & Node.DOCUMENT_POSITION_FOLLOWING).length : 0;
+  if (!first) return 0;
+  const kinds = "a[href], button, input, select, summary, canvas, [tabindex]";
+  const stops = [...document.querySelectorAll(kinds)]
+    .filter(each => each.tabIndex >= 0 && seen(each) && !first.contains(each));
+  const follows = (each, other) =>
+    each.compareDocumentPosition(other) & Node.DOCUMENT_POSITION_FOLLOWING;
+  const between = from => stops
+    .filter(each => follows(each, first) && (!from || follows(from, each))).length;
+  const skips = [...document.querySelectorAll("a.skip")]
+    .map((skip, k) => [k + 1, document.querySelector(skip.hash)])
+    .filter(([, place]) => follows(place, first));
+  return Math.min(between(null), ...skips.map(([k, place]) => k + between(place)));
 }"""
 # WCAG 2.2, 1.4.11: whatever a line or mark says stands out by 3 to 1; grids and bands say nothing
 FAINT_MARKS = """() => {
