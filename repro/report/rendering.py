@@ -1,7 +1,7 @@
 """What templates may name, and a page made of one."""
 
 from collections.abc import Mapping
-from functools import cache
+from functools import cache, partial
 from pathlib import PurePosixPath
 
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
@@ -14,6 +14,7 @@ from repro.model.measures.measure import TABLES
 from repro.report.drawings.arm_viewer import packed_viewer, viewer_licence
 from repro.report.escapes import markdown_text
 from repro.report.formulas import dollars, equation_links, formula_anchor, mathml, powers_of_ten
+from repro.report.glossary import term_link
 from repro.report.rooms import OURS, address, page_of, to
 from repro.report.run_files import place_of_runs
 from repro.report.verdict_pages import VERDICTS
@@ -60,9 +61,10 @@ def _templates(*, markdown: bool) -> Environment:
     environment.globals |= {"again_command": again_command, "command": command}
     environment.globals |= {"level": LEVEL, "tables_drawn": TABLES, "HOW": VERDICTS}
     environment.globals |= {"SYMBOLS": SYMBOLS, "MEANINGS": MEANINGS, "VERDICTS": tuple(Verdict)}
-    environment.globals |= {"place_of_runs": place_of_runs, "IN_WORDS": IN_WORDS}
-    environment.globals |= {"concluded": concluded}
+    environment.globals |= {"place_of_runs": place_of_runs, "concluded": concluded}
+    environment.globals |= {"IN_WORDS": IN_WORDS}
     environment.globals |= {"NOT_REPRODUCIBLE": Verdict.NOT_REPRODUCIBLE}
+    environment.globals |= {"term": partial(term_link, markdown=markdown)}
     environment.globals |= {"RESULTS": RESULTS, "IMPOSSIBLE": IMPOSSIBLE}
     return environment
 

@@ -17,7 +17,7 @@ def test_a_click_opens_the_evidence_of_a_number_as_a_dialog(visit: Open) -> None
     panel.wait_for(state="visible")
 
     for said in (
-        "✖ contradicted (re-run higher) The re-run is higher: ",
+        "✖ contradicted: the re-run is higher: ",
         ", printed 1.2×10",
         "accepted",
         "2 repeats; the first 689.8, +1.8 decades",
