@@ -6,6 +6,7 @@ from dataclasses import replace
 from types import MappingProxyType
 
 from repro.audit.arms import rows_of_arm
+from repro.judge.by_print import printed_sizes
 from repro.judge.judgement import Judgement
 from repro.judge.verdict import Verdict
 from repro.model.figures import Arm, Figure
@@ -13,6 +14,7 @@ from repro.model.identifiers import anchor
 from repro.model.paper import Paper
 from repro.report.calibration import calibration
 from repro.report.drawings.draw import Drawing, draw
+from repro.report.drawings.svg import standalone
 from repro.report.frames import DIGITS, FINDING, csv_text, findings_frame
 from repro.report.glossary import PAGE, glossary
 from repro.report.rendering import render
@@ -41,7 +43,7 @@ from repro.report.views.findings import Shown, bare_table, everything, table_vie
 from repro.report.views.heat_map import heat_map
 from repro.report.views.line_plot import least_values
 from repro.report.views.readings import ruled_out_by, settings_of
-from repro.report.views.runs import runs_view
+from repro.report.views.runs import RunsView, runs_view
 from repro.report.views.search_box import search_index
 from repro.report.views.times import times_drawn
 from repro.report.views.weighed import weighed
@@ -72,7 +74,7 @@ def _paper_files(judgement: Judgement, master_seed: str, called: str) -> tuple[J
     entry = paper_result(judgement, master_seed)
     runs = runs_view(judgement)
     times = times_drawn(judgement)
-    rooms = _rooms(judgement, drawings, timed=bool(times))
+    rooms = _rooms(judgement, drawings, runs, timed=bool(times))
     entry["rooms"] = [room.name for room in rooms]
     context = _context(judgement, entry, drawings, called) | runs.context()
     context["times_drawn"] = times
@@ -80,9 +82,11 @@ def _paper_files(judgement: Judgement, master_seed: str, called: str) -> tuple[J
     for before, here, after in neighbours(rooms):
         own = {"here": here, "before": before, "after": after, "rooms": rooms}
         files[page_of(key, here)] = render("paper.html", context | own)
-    files[f"{key}.md"] = render("paper.md", context)
+    files[f"{key}.md"] = render("paper.md", context | {"rooms": rooms})
+    files |= _data(judgement, entry, drawings) | runs.files(key)
     files |= {f"tables/{key}-{name}.csv": csv_text(d.frame, DIGITS) for name, d in times}
-    return entry, files | _data(judgement, entry, drawings) | runs.files(key)
+    files |= {f"figures/{key}-{name}.svg": standalone(d.svg) for name, d in times}
+    return entry, files
 
 
 def _context(
@@ -92,7 +96,11 @@ def _context(
     paper = judgement.paper
     calibrated = calibration()["rows"]
     found = everything(
-        *(judgement.findings, judgement.audit, settings_of(paper), ruled_out_by(paper)),
+        judgement.findings,
+        judgement.audit,
+        settings_of(paper),
+        ruled_out_by(paper),
+        sizes=printed_sizes(paper),
         least=least_values(paper.claims, judgement.certificates),
     )
     return {
@@ -116,7 +124,9 @@ def _context(
     }
 
 
-def _rooms(judgement: Judgement, drawings: Sequence[Drawing], *, timed: bool) -> tuple[Room, ...]:
+def _rooms(
+    judgement: Judgement, drawings: Sequence[Drawing], runs: RunsView, *, timed: bool
+) -> tuple[Room, ...]:
     """Return the rooms that the paper fills; `timed` where times are drawn."""
     live = [drawing for drawing in drawings if drawing.scene]
     filled = {
@@ -124,6 +134,8 @@ def _rooms(judgement: Judgement, drawings: Sequence[Drawing], *, timed: bool) ->
         "optimum": judgement.certificates,
         "figures": len(drawings) > len(live),
         "arm": live,
+        "distributions": runs.distributions,
+        "centre_bias": runs.centre_biases or runs.shiftable,
         "formulas": judgement.paper.formulas,
     }
     return rooms_with(lambda section: bool(filled.get(section, True)))
@@ -234,7 +246,9 @@ def _data(judgement: Judgement, entry: Json, drawings: Sequence[Drawing]) -> Fil
         for group in groups.unique()
     }
     for figure, drawing in zip(paper.figures, drawings, strict=True):
-        files[f"tables/{paper.key}-{anchor(figure.label)}.csv"] = csv_text(drawing.frame, DIGITS)
+        name = f"{paper.key}-{anchor(figure.label)}"
+        files[f"tables/{name}.csv"] = csv_text(drawing.frame, DIGITS)
+        files[f"figures/{name}.svg"] = standalone(drawing.svg)
     if paper.experiments:
         files[place_of_runs(paper.key)] = packed_runs(judgement.runs)
     return files

@@ -47,7 +47,7 @@ def test_searching_leads_to_the_cell(visit: Open) -> None:
     box.press_sequentially("liang2026 f1 mean iwoa table")
     page.locator("#search li a", has_text="Table II, F1 Mean, IWOA: 0").click()
 
-    page.wait_for_url("**/liang2026.html#table-ii-f1-mean-iwoa")
+    page.wait_for_url("**/liang2026.tables.html#table-ii-f1-mean-iwoa")
     page.locator("#table-ii-f1-mean-iwoa .panel").wait_for(state="visible")
 
 
@@ -72,21 +72,24 @@ def test_searching_finds_papers_claims_and_verdicts(visit: Open) -> None:
 def test_the_search_works_by_keyboard_alone(visit: Open) -> None:
     page = visit("index.html").page
 
+    page.keyboard.press("Tab")  # the skip link
     page.keyboard.press("Tab")
     page.keyboard.type("doe2021 f1 best pso")
     page.keyboard.press("Tab")
     page.keyboard.press("Enter")
 
-    page.wait_for_url(re.compile("doe2021.html#table-2-f1-best-pso$"))
+    page.wait_for_url(re.compile("doe2021.tables.html#table-2-f1-best-pso$"))
 
 
 def test_the_counts_of_a_paper_lead_to_its_numbers_of_that_verdict(visit: Open) -> None:
     page = visit("index.html").page
 
-    page.locator("#doe2021 ~ ul.counts").first.get_by_role(
-        "link", name=re.compile("reproduced")
-    ).click()
+    counts = page.locator("#doe2021 ~ ul.counts").first
+    counts.get_by_role("link", name=re.compile("consistent")).click()
     page.wait_for_load_state()
 
-    assert page.locator("[data-verdict] .verdict:visible").count() == 1
-    assert page.locator('[data-verdict="reproduced"] .verdict').is_visible()
+    assert page.locator("[data-verdict] .verdict:visible").count() == 2
+    assert page.locator('[data-verdict="consistent"] .verdict').first.is_visible()
+    page.go_back()
+    counts.get_by_role("link", name=re.compile("reproduced")).click()
+    page.wait_for_url("**/doe2021.html#claims")  # no number of a table is, a claim of the text

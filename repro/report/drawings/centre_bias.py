@@ -103,7 +103,7 @@ def _description(names: Sequence[str], found: Sequence[Bias]) -> str:
     flagged = dict.fromkeys(bias.algorithm for bias in found if bias.flagged)
     return (
         "Mean error with the optimum moved aside over mean error in place, geometric mean over the "
-        "functions, with the 95 % interval, by size of shift in half widths of the box: "
+        "functions, with the 95 % interval, by size of shift in half widths of the box. "
         f"{ratios}. Above {FLAG:g} an algorithm counts as biased to the centre: "
         f"{', '.join(flagged) or 'none'}."
     )
