@@ -38,8 +38,8 @@ ROOMS = (
     _room(
         "", "At a glance",
         ("summary", "summary", "summary"),
-        ("times", "times", "times side by side"),
         ("heat_map", "at-a-glance", "at a glance"),
+        ("times", "times", "times side by side"),
         ("claims", "claims", "claims of the text"),
         ("contents", "rooms", "rooms"),
     ),
