@@ -3,6 +3,7 @@
 # ///
 """What can be done here; `nox -l` lists it."""
 
+import json
 import os
 import pathlib
 import shutil
@@ -30,6 +31,7 @@ LOCKS = {
     "references": ["references", "urdf", "test"],
     "browser": ["browser", "test"],
 }
+LOWEST = (3, 11)  # the Python of pyproject.toml
 PEERS = ("peers", "mealpy")  # two environments: mealpy wants an older NumPy than others do
 
 
@@ -120,6 +122,29 @@ def lowest(session: nox.Session) -> None:
     session.install("--no-deps", "--no-build-isolation", "-e", ".")
     kinds = ("-m", "not browser and not cluster and not full_size")
     session.run("pytest", *kinds, *SPREAD, *session.posargs, env=TESTING)
+
+
+@nox.session(venv_backend="uv")
+def built(session: nox.Session) -> None:
+    """Build sdist and wheel, and try the wheel with every Python here that it allows."""
+    folder = pathlib.Path(session.create_tmp()).resolve()
+    session.install("uv", "-r", "requirements/build.in")
+    shutil.rmtree(folder / "dist", ignore_errors=True)
+    # the wheel is made of the sdist, so that both are whole
+    build = ("uv", "build", "--quiet", "--no-build-isolation", "--out-dir", str(folder / "dist"))
+    session.run(*build)
+    (wheel,) = (folder / "dist").glob("*.whl")
+    tried = str(pathlib.Path("tests/installed_trial.py").resolve())
+    for version, python in sorted(_pythons(session).items()):
+        session.log(f"with Python {'.'.join(map(str, version))}")
+        place = folder / f"python{version[1]}"
+        session.run("uv", "venv", "--quiet", "--clear", "--python", python, str(place))
+        # the lowest versions of all are installed with the lowest Python
+        oldest = ("--resolution", "lowest-direct") if version == LOWEST else ()
+        own = str(place / "bin" / "python")
+        session.run("uv", "pip", "install", "--quiet", "--python", own, *oldest, str(wheel))
+        with session.chdir(session.create_tmp()):
+            session.run(own, "-I", tried, env=ONE_THREAD, external=True)
 
 
 @nox.session
@@ -277,6 +302,21 @@ def _peers(session: nox.Session) -> pathlib.Path:
             session.warn(f"{lock} cannot be installed here; the page says which peers are missing")
             shutil.rmtree(folder / name)
     return folder
+
+
+def _pythons(session: nox.Session) -> dict[tuple[int, ...], str]:
+    """Return the interpreters that are here and new enough, by version; pyenv's too."""
+    kept = pathlib.Path(os.environ.get("PYENV_ROOT", pathlib.Path.home() / ".pyenv"))
+    folders = [*map(str, kept.glob("versions/*/bin")), os.environ["PATH"]]
+    listing = ("uv", "python", "list", "--only-installed", "--output-format", "json")
+    environment = {"PATH": os.pathsep.join(folders), "UV_PYTHON_DOWNLOADS": "never"}
+    told = session.run(*listing, env=environment, silent=True, stderr=None)
+    found = {}
+    for each in json.loads(str(told)):
+        version = tuple(map(int, each["version"].split(".")[:2])) if each["path"] else ()
+        if each["implementation"] == "cpython" and version >= LOWEST:
+            found.setdefault(version, each["path"])
+    return found
 
 
 def _chromium(session: nox.Session) -> str:

@@ -23,7 +23,7 @@ from repro.runs.gather import gather
 from repro.runs.honesty import identical, probed
 from repro.runs.plan import Task, plan
 from repro.runs.store.store import Store
-from repro.runs.studies import PER_STUDY, studies
+from repro.runs.studies import ENOUGH, studies
 from repro.runs.workers.local import checked_workers, local
 
 _LONGEST = 1e7  # seconds, of a time limit: no run takes months
@@ -137,7 +137,7 @@ def _parts(
 ) -> list[Part]:
     """Return each experiment judged, with the runs of others that the store has of it."""
     names = {experiment.name: experiment for experiment in own.experiments}
-    others = gather(store, paper, plan([paper], PER_STUDY), studies(paper, PER_STUDY))
+    others = gather(store, paper, plan([paper], ENOUGH), studies(paper, ENOUGH))
     found = gather(store, own, tasks)
     runs = {**others.runs, **found.runs}
     certificates = certify(paper)

@@ -2,7 +2,7 @@
 
 import sys
 from argparse import Namespace
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from repro.commands import catalogue
@@ -14,8 +14,8 @@ from repro.commands.progress import Progress
 from repro.commands.running import run_lacking
 from repro.commands.shown_rows import warn
 from repro.commands.unchanged import Written
-from repro.commands.written_pages import write_pages
-from repro.errors import SOME_RUN_FAILED
+from repro.commands.written_pages import Run, write_pages
+from repro.errors import SOME_RUN_FAILED, Terminated
 from repro.report.earlier import check_folder
 from repro.report.files import usable_folder
 from repro.report.results import Json, read_results
@@ -37,17 +37,17 @@ def run(options: Namespace) -> int:
         declarations=catalogue.folders(), reports=options.reports,
     )  # fmt: skip
 
+    def pages(of: Sequence[Task], deeper: Run = lambda _: None) -> Json:
+        return write_pages(store, chosen, of, options.reports, known, deeper, called=options.called)
+
     def work() -> tuple[list[Record], Json | None]:
         if catalogue.of_this_house(options.places.values()) and written.stand(store):
             return [], read_results(options.reports / "results.json")
-        failed = run_lacking(store, tasks, options, Progress())
+        at_first = plan(chosen, 1, options.master_seed, protocol_only=True)
+        failed = _run(store, tasks, at_first, options, pages)
         remember(options.store, chosen)
-
-        def deeper(more: Sequence[Task]) -> None:
-            failed.extend(run_lacking(store, more, options, Progress()))
-
-        results = write_pages(
-            store, chosen, tasks, options.reports, known, deeper, called=options.called
+        results = pages(
+            tasks, lambda more: failed.extend(run_lacking(store, more, options, Progress()))
         )
         written.remember(store)
         return failed, results
@@ -62,6 +62,45 @@ def run(options: Namespace) -> int:
         if not paper.experiments:
             sys.stdout.write(f"{paper.key} has no experiments: nothing was to be run\n")
     return SOME_RUN_FAILED if failed else 0
+
+
+def _run(
+    store: Store,
+    tasks: Sequence[Task],
+    at_first: Sequence[Task],
+    options: Namespace,
+    pages: Callable[[Sequence[Task]], Json],
+) -> list[Record]:
+    """Run what is missing and return the failed runs.
+
+    `at_first`, the first repeat of every protocol, comes first, and provisional pages are written
+    of it. Where the call is interrupted after that, they are written again of what there is.
+    """
+    missing = store.missing(tasks)
+    first = {task.key for task in at_first}
+    rest = [task for task in missing if task.key not in first]
+    progress = Progress()
+    progress.expect(missing, store.seconds() if missing else {})
+    failed: list[Record] = []
+    if len(rest) < len(missing):
+        failed = run_lacking(store, at_first, options, progress)
+        if rest:
+            with progress.paused():
+                pages(at_first)
+            _say_provisional(options.reports, "of one repeat; the runs go on")
+    try:
+        return [*failed, *run_lacking(store, rest, options, progress)]
+    except Terminated:
+        raise
+    except KeyboardInterrupt:
+        pages(tasks)
+        _say_provisional(options.reports, "of what was run")
+        raise
+
+
+def _say_provisional(reports: Path, of: str) -> None:
+    sys.stdout.write(f"provisional pages, {of}: {reports / 'index.html'}\n")
+    sys.stdout.flush()
 
 
 def _looked_at(options: Namespace, keys: Sequence[str], known: Sequence[str]) -> dict[str, Path]:

@@ -48,9 +48,12 @@ def _under(paper: Paper, evidence: Evidence, reading: Reading) -> EvidenceUnder 
         if part is None:
             continue
         experiments.append(applied(experiment, reading))
-        name = study_name(experiment.name, reading.touching(experiment.name).name)
         for problem in part.problems:
             for algorithm in part.algorithms:
+                touching = reading.touching(experiment.name, problem, algorithm)
+                if not touching.alternatives:
+                    continue
+                name = study_name(experiment.name, touching.name)
                 if (name, problem, algorithm) not in evidence.runs:
                     return None
                 changed[experiment.name, problem, algorithm] = name, problem, algorithm

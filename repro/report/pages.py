@@ -1,14 +1,12 @@
 """Writing the reports folder: pages, figures, tables and results.json."""
 
 import shlex
-from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from types import MappingProxyType
 
 from repro.audit.arms import rows_of_arm
-from repro.judge.by_print import printed_sizes
 from repro.judge.judgement import Judgement
 from repro.judge.verdict import Verdict
 from repro.model.figures import Arm, Figure
@@ -16,13 +14,15 @@ from repro.model.identifiers import anchor
 from repro.model.paper import Paper
 from repro.report.calibration import calibration
 from repro.report.drawings.draw import Drawing, draw
-from repro.report.files import usable_folder, write_file
+from repro.report.files import remove_ours, usable_folder, write_file
 from repro.report.frames import DIGITS, FINDING, csv_text, findings_frame
+from repro.report.glossary import PAGE, glossary
 from repro.report.rendering import render
 from repro.report.results import (
     PROVENANCE,
     Environments,
     Json,
+    cell_counts,
     impossible_rows,
     merged,
     merged_provenance,
@@ -33,16 +33,26 @@ from repro.report.results import (
     results_text,
     verdict_counts,
 )
-from repro.report.rooms import Room, neighbours, page_of, rooms_with
+from repro.report.rooms import (
+    OURS,
+    Room,
+    check_apart,
+    neighbours,
+    page_of,
+    pages_of_paper,
+    rooms_with,
+)
 from repro.report.run_files import packed_runs, place_of_runs
 from repro.report.verdict_pages import VERDICTS, verdict_context
 from repro.report.views.baselines import standings_view
 from repro.report.views.calibration import truthful
 from repro.report.views.findings import Shown, bare_table, everything, table_view, tallies
 from repro.report.views.heat_map import heat_map
+from repro.report.views.line_plot import least_values
 from repro.report.views.readings import ruled_out_by, settings_of
 from repro.report.views.runs import runs_view
-from repro.report.views.search_box import search_rows
+from repro.report.views.search_box import search_index
+from repro.report.views.sizes import sized
 from repro.report.views.times import times_drawn
 from repro.report.views.weighed import weighed
 from repro.tables.rows import AuditRow
@@ -72,7 +82,10 @@ def write_report(
     entries, made = [], {}
     for judgement in judgements:
         key = judgement.paper.key
-        entries.append(_paper_files(judgement, master_seed, files, called.get(key, "")))
+        entry, own = _paper_files(judgement, master_seed, called.get(key, ""))
+        check_apart(files, own, key)
+        files |= own
+        entries.append(entry)
         made[key] = provenance_entry(judgement, environments.get(key, []), called.get(key, ""))
     results = merged(entries, read_results(folder / "results.json"), known)
     files["results.json"] = results_text(results)
@@ -84,25 +97,28 @@ def write_report(
     files |= index_files(results, read_json(folder / ANOTHER_SEED), all_called) | verdict_files()
     for name, content in files.items():
         write_file(folder / name, content)
+    for page in (page for key in made for page in pages_of_paper(key) if page not in files):
+        remove_ours(folder / page, f'<meta name="generator" content="{OURS}">')
     return results
 
 
-def _paper_files(judgement: Judgement, master_seed: str, files: Files, called: str) -> Json:
+def _paper_files(judgement: Judgement, master_seed: str, called: str) -> tuple[Json, Files]:
     key = judgement.paper.key
     drawings = _drawings(judgement)
     entry = paper_result(judgement, master_seed)
     runs = runs_view(judgement)
     times = times_drawn(judgement)
+    rooms = _rooms(judgement, drawings, timed=bool(times))
+    entry["rooms"] = [room.name for room in rooms]
     context = _context(judgement, entry, drawings, called) | runs.context()
     context["times_drawn"] = times
-    rooms = _rooms(judgement, drawings, timed=bool(times))
+    files: Files = {}
     for before, here, after in neighbours(rooms):
         own = {"here": here, "before": before, "after": after, "rooms": rooms}
         files[page_of(key, here)] = render("paper.html", context | own)
     files[f"{key}.md"] = render("paper.md", context)
-    files |= _data(judgement, entry, drawings) | runs.files(key)
     files |= {f"tables/{key}-{name}.csv": csv_text(d.frame, DIGITS) for name, d in times}
-    return entry
+    return entry, files | _data(judgement, entry, drawings) | runs.files(key)
 
 
 def _context(
@@ -111,20 +127,18 @@ def _context(
     """Return what the templates of a paper's pages name, less what is drawn of the runs."""
     paper = judgement.paper
     calibrated = calibration()["rows"]
-    found = everything(
-        judgement.findings,
-        judgement.audit,
-        settings_of(paper),
-        ruled_out_by(paper),
-        printed_sizes(paper),
+    told = everything(
+        *(judgement.findings, judgement.audit, settings_of(paper), ruled_out_by(paper)),
+        least=least_values(paper.claims, judgement.certificates),
     )
+    found = sized(told, paper)
     return {
         "paper": paper,
         "called": called,
         "entry": entry,
         "cited": entry["cited"],
         "counts": verdict_counts(entry),
-        "shown_counts": Counter(finding.verdict for finding in judgement.findings),
+        "shown_counts": cell_counts(entry),
         "truthful": truthful(judgement, calibrated),
         "not_calibrated": not calibrated,
         "tallies": tallies(found),
@@ -197,9 +211,16 @@ def _notes(key: str, figure: Figure) -> tuple[str, ...]:
 
 
 def verdict_files() -> Files:
-    """Return the pages that say how verdicts are made."""
-    context = verdict_context(calibration())
-    return {f"{VERDICTS}.{kind}": render(f"{VERDICTS}.{kind}", context) for kind in ("html", "md")}
+    """Return the pages that say how verdicts are made, and what the words mean."""
+    pages: dict[str, Mapping[str, object]] = {
+        VERDICTS: verdict_context(calibration()),
+        PAGE: {"terms": glossary().terms},
+    }
+    return {
+        f"{name}.{kind}": render(f"{name}.{kind}", context)
+        for name, context in pages.items()
+        for kind in ("html", "md")
+    }
 
 
 def index_files(
@@ -220,9 +241,10 @@ def index_files(
         "controls": [paper for paper in papers if paper["control"]],
         "others": [paper for paper in papers if not paper["control"]],
         "counts_of": verdict_counts,
+        "shown_of": cell_counts,
         "impossible_of": impossible_rows,
         "verdicts": [v for v in Verdict if v != Verdict.NOT_RUN or not_run],
-        "search_rows": search_rows(papers),
+        "search": search_index(papers, glossary()),
         "another_seed": another_seed,
         "again": _all_again(papers, called),
     }

@@ -53,6 +53,9 @@ def paper_result(judgement: Judgement, master_seed: str) -> Json:
         "assumptions": [_assumption(assumption) for assumption in paper.assumptions],
         "errata": _plain(paper.errata),
         "gaps": _plain(paper.gaps),
+        "equations": [
+            {"label": each.label, "where": each.where, "says": each.says} for each in paper.formulas
+        ],
     }
 
 
@@ -167,6 +170,11 @@ def impossible_rows(entry: Mapping[str, Any]) -> list[Json]:
         for row in entry["audit"]
         if row["grade"] == Grade.IMPOSSIBLE and row.get("condition") is None
     ]
+
+
+def cell_counts(entry: Mapping[str, Any]) -> Counter[str]:
+    """Return how many numbers of a paper's tables have each verdict, each by itself."""
+    return Counter(finding["verdict"] for finding in entry["findings"] if finding["table"])
 
 
 def verdict_counts(entry: Mapping[str, Any]) -> Counter[str]:

@@ -9,7 +9,13 @@ from repro.optimisers.libraries import BASELINES
 
 BASELINE_STUDY = "baselines"
 COMPILED_STUDY = "compiled baselines"
-BASELINE_RUNS = 4  # of each on each problem: one of all takes a minute, nearly all of it in Python
+AS_LONG = 50
+"""Evaluations of a compiled search that take as long as one of a search in Python, about."""
+OF_PROTOCOL = 1 / 3
+"""What the searches in Python may cost of what the protocol's runs do: a quarter of both at most.
+
+It is counted and not timed, so that every machine makes the same runs.
+"""
 
 _IN_PYTHON = {name for name, by in BASELINES.items() if getattr(by, "holds_interpreter", False)}
 STUDY_OF: Mapping[str, str] = MappingProxyType(
@@ -18,12 +24,15 @@ STUDY_OF: Mapping[str, str] = MappingProxyType(
 """In which study a baseline is run, by the name that the pages give it."""
 
 
-def with_baselines(experiment: Experiment) -> dict[str, Experiment]:
+def with_baselines(experiment: Experiment, repeats: int) -> dict[str, Experiment]:
     """Return the experiment with the baselines in the place of its algorithms, by study.
 
-    A compiled one has as many runs as the protocol, one in Python `BASELINE_RUNS` at most.
+    A compiled one has as many runs as the protocol. One in Python has as many as `OF_PROTOCOL`
+    allows where the protocol is run `repeats` times, but one at least.
     """
-    few = min(BASELINE_RUNS, experiment.runs)
+    protocol = repeats * experiment.runs * len(experiment.algorithms)
+    allowed = int(OF_PROTOCOL * protocol / (AS_LONG * len(_IN_PYTHON)))
+    few = min(max(1, allowed), experiment.runs)
     return {
         study: replace(
             experiment,

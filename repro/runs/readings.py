@@ -39,17 +39,27 @@ class Reading:
         """Whether the text does not allow it, so that it is a note."""
         return any(alternative.ruled_out for alternative in self.alternatives)
 
-    def touching(self, experiment: str) -> "Reading":
-        """Return what of it changes an experiment, by whose name its runs are named."""
+    def touching(
+        self, experiment: str, problem: str | None = None, algorithm: str | None = None
+    ) -> "Reading":
+        """Return what of it changes an experiment, or one cell of it, whose runs it names."""
         kept = [
             (alternative, assumption)
             for alternative, assumption in zip(self.alternatives, self.of, strict=True)
-            if experiment in alternative.protocol
-            or any(
-                name == experiment for name, _ in (*alternative.algorithms, *alternative.problems)
-            )
+            if _touches(alternative, experiment, problem, algorithm)
         ]
         return Reading(alternatives=tuple(a for a, _ in kept), of=tuple(o for _, o in kept))
+
+
+def _touches(
+    alternative: Alternative, experiment: str, problem: str | None, algorithm: str | None
+) -> bool:
+    parts = ((alternative.algorithms, algorithm), (alternative.problems, problem))
+    return experiment in alternative.protocol or any(
+        name == experiment and asked in (None, part)
+        for changes, asked in parts
+        for name, part in changes
+    )
 
 
 def readings(paper: Paper) -> tuple[Reading, ...]:
@@ -110,6 +120,31 @@ def changed_part(experiment: Experiment, reading: Reading) -> Experiment | None:
     if not problems:
         return replace(whole, algorithms=algorithms)
     return whole
+
+
+def own_part(experiment: Experiment, reading: Reading) -> Experiment | None:
+    """Return the part of the experiment with runs of the reading's own; None where there is none.
+
+    Where fewer than all of its alternatives bear on a cell, that smaller reading has its runs.
+    """
+    part = changed_part(experiment, reading)
+    if part is None:
+        return None
+    cells = [
+        (problem, algorithm)
+        for problem in part.problems
+        for algorithm in part.algorithms
+        if len(reading.touching(experiment.name, problem, algorithm).of) == len(reading.of)
+    ]
+    return (
+        replace(
+            part,
+            problems={name: part.problems[name] for name in dict.fromkeys(p for p, _ in cells)},
+            algorithms={name: part.algorithms[name] for name in dict.fromkeys(a for _, a in cells)},
+        )
+        if cells
+        else None
+    )
 
 
 def _different(before: Mapping[str, Any], after: Mapping[str, Any]) -> dict[str, Any]:

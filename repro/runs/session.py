@@ -24,11 +24,12 @@ def run_missing(
     workers: int | Callable[[], int],
     environment: Callable[[], dict[str, object]],
     report: Callable[[int, int], None],
+    note: Callable[[Record], None] = lambda _: None,
     batch_seconds: float = BATCH_SECONDS,
 ) -> list[Record]:
     """Run every task that the store lacks, keep each at once, and return the failed ones.
 
-    `report` is told (done, to do) after every batch.
+    `note` is told of every record, `report` (done, to do) after every batch.
     """
     missing = store.missing(tasks)
     failed: list[Record] = []
@@ -44,6 +45,8 @@ def run_missing(
                 store.begin(begun)
             store.add(made_there)
         failed.extend(record for record in records if record.reason)
+        for record in records:
+            note(record)
         done += len(records)
         report(done, len(missing))
 

@@ -13,7 +13,7 @@ from repro.optimisers.random_search import RandomSearch
 from repro.runs.baseline_study import with_baselines
 from repro.runs.equal_budget import EQUAL_BUDGET, at_equal_evaluations
 from repro.runs.moved_optima import IN_PLACE, SHARES, centred, shift_name, shifted
-from repro.runs.readings import changed_part, readings
+from repro.runs.readings import own_part, readings
 
 Kind = Literal["reading", "shift", "baseline", "equal budget"]
 WORDS: dict[Kind, str] = {
@@ -22,7 +22,7 @@ WORDS: dict[Kind, str] = {
     "equal budget": "equal budgets",
     "baseline": "baselines",
 }
-PER_STUDY = 10  # repeats of the protocol for one repeat of a study
+ENOUGH = 10  # repeats of the protocol, before which baselines and equal budgets are not run
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -49,7 +49,7 @@ def studies(paper: Paper, repeats: int) -> tuple[Study, ...]:
         return ()
     if paper.control:
         return _readings(paper, repeats)
-    besides = _fair(paper) if repeats >= PER_STUDY else ()
+    besides = _fair(paper, repeats) if repeats >= ENOUGH else ()
     return (*_readings(paper, repeats), *_shifts(paper), *besides)
 
 
@@ -65,20 +65,17 @@ def study_name(experiment: str, departs: str) -> str:
 
 
 def _readings(paper: Paper, repeats: int) -> tuple[Study, ...]:
-    times = max(1, repeats // PER_STUDY)
     return tuple(
         Study(
             kind="reading",
             of=experiment.name,
             departs=reading.name,
             experiment=replace(part, name=study_name(experiment.name, reading.name)),
-            repeats=repeats if all(a.full_depth for a in reading.alternatives) else times,
+            repeats=repeats if all(a.full_depth for a in reading.alternatives) else 1,
         )
         for reading in readings(paper)
         for experiment in paper.experiments
-        # where fewer than all of a combination bear on an experiment, that smaller one has its runs
-        if len(reading.touching(experiment.name).alternatives) == len(reading.alternatives)
-        and (part := changed_part(experiment, reading))
+        if (part := own_part(experiment, reading))
     )
 
 
@@ -100,7 +97,7 @@ def _shifts(paper: Paper) -> tuple[Study, ...]:
     )
 
 
-def _fair(paper: Paper) -> tuple[Study, ...]:
+def _fair(paper: Paper, repeats: int) -> tuple[Study, ...]:
     """Return the algorithms at equal evaluations, then the baselines, of every experiment."""
     equal = [(e, at_equal_evaluations(e)) for e in paper.experiments]
     return (
@@ -108,7 +105,7 @@ def _fair(paper: Paper) -> tuple[Study, ...]:
         *(
             _departing(e, "baseline", study, beside)
             for e in paper.experiments
-            for study, beside in with_baselines(e).items()
+            for study, beside in with_baselines(e, repeats).items()
         ),
     )
 

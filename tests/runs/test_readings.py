@@ -6,7 +6,7 @@ from repro.errors import DeclarationError
 from repro.model.assumptions import Alternative, Assumption
 from repro.model.measures.measure import Computed
 from repro.model.paper import Paper
-from repro.runs.readings import applied, changed_part, claims_under, readings
+from repro.runs.readings import applied, changed_part, claims_under, own_part, readings
 from tests.small_papers import CLAIMS, EXPERIMENT, PAPER, Bowl, Guessing
 
 WIDER = Alternative(
@@ -146,3 +146,20 @@ def test_combination_runs_an_experiment_only_if_all_of_it_bears_on_it() -> None:
     both = readings(declared)[-1]
 
     assert [both.touching(name).name for name in ("search", "walk")] == ["wider", "moved"]
+
+
+@pytest.mark.parametrize(("beside", "own"), [("apart", None), ("moved", (["bowl"], ["guess"]))])
+def test_combination_has_runs_of_its_own_only_where_all_of_it_bears_on_a_cell(
+    beside: str, own: tuple[list[str], list[str]] | None
+) -> None:
+    apart = replace(WIDER, name="apart", algorithms={("search", "wide"): {"width": 2.0}})
+    other = {"apart": apart, "moved": MOVED}[beside]
+    declared = paper(
+        assumption("width", WIDER), assumption("place", other), together=("wider", beside)
+    )
+    both = readings(declared)[-1]
+
+    part = own_part(EXPERIMENT, both)
+
+    assert (part and (list(part.problems), list(part.algorithms))) == own
+    assert both.touching("search", "bowl", "wide").name == beside

@@ -64,9 +64,16 @@ class CountedCost:
 
         What is left of the budget is counted before the cost is asked for.
         """
+        return self._asked(np.minimum(np.maximum(x, self._lower), self._upper))
+
+    def of_each(self, points: Vector) -> Vector:
+        """Return the costs of points, shape (free, n) to (n,), asked for one after the other."""
+        inside = np.ascontiguousarray(np.clip(points.T, self._lower, self._upper))
+        return np.array([self._asked(point) for point in inside])
+
+    def _asked(self, point: Vector) -> float:
         if self._spent == self._budget:
             raise BudgetSpent
-        point = np.minimum(np.maximum(x, self._lower), self._upper)
         if self._held is not None:
             whole = self._held.copy()
             whole[self.free] = point
@@ -74,7 +81,7 @@ class CountedCost:
         value = float(self._cost(point, self._data))
         self._spent += 1
         if value < self._best_cost:
-            self._best, self._best_cost = point, value
+            self._best, self._best_cost = point.copy(), value
         if self._spent % self._population == 0:
             self._history.append(self._best_cost)
         if -WORST < value < WORST:

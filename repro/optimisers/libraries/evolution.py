@@ -4,6 +4,8 @@ R. Storn, K. Price, Journal of Global Optimization 11 (1997) 341-359,
 doi:10.1023/A:1008202821328, by `scipy.optimize.differential_evolution` with its defaults, but:
 
 - as many agents as the protocol's population, where scipy would take 15 per dimension;
+- a generation is evaluated as a whole before it replaces its parents (scipy's `vectorized`, as
+  Storn and Price have it), which is several times as fast as one agent at a time;
 - generations until the budget is spent, where scipy would end after 1000;
 - a population that has converged, after scipy's polishing, makes room for a fresh one.
 """
@@ -42,8 +44,10 @@ class ScipyDifferentialEvolution:
             lower, upper = cost.bounds.T
             share = LatinHypercube(len(lower), rng=rng).random(agents)
             differential_evolution(
-                cost,
+                cost.of_each,
                 cost.bounds,
+                vectorized=True,
+                updating="deferred",
                 strategy=self.strategy,
                 mutation=self.mutation,
                 recombination=self.recombination,

@@ -172,6 +172,23 @@ class Store:
             rows = self._database.execute("select key from run where reason is null")
             return frozenset(key for (key,) in rows)
 
+    def seconds(self) -> dict[tuple[str, str, str, str], float]:
+        """Return what a finished run took, by paper, experiment, problem and algorithm.
+
+        The longest of them is left out: the first one was compiled.
+        """
+        with self._refusing():
+            rows = self._database.execute(
+                "select paper, experiment, problem, algorithm, count(*), sum(seconds), max(seconds)"
+                " from run where reason is null group by 1, 2, 3, 4"
+            )
+            return {
+                (str(paper), str(experiment), str(problem), str(algorithm)): (
+                    (total - longest) / (count - 1) if count > 1 else total
+                )
+                for paper, experiment, problem, algorithm, count, total, longest in rows
+            }
+
     def fingerprint(self) -> str | None:
         """Return a digest of the whole file; None while a reader keeps runs in the journal."""
         with self._refusing():
