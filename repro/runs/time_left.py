@@ -12,9 +12,7 @@ from dataclasses import dataclass
 
 from repro.runs.plan import Task
 from repro.runs.run import holds_interpreter
-
-Kind = tuple[str, str, str, str]
-"""Paper, experiment, problem and algorithm."""
+from repro.runs.store.questions import Kind
 
 STATED = {False: 0.5e-6, True: 25e-6}
 """Seconds that an evaluation takes where nothing is known: of compiled searches, of others."""
@@ -96,7 +94,18 @@ class TimeLeft:
         taken = self._kinds[kind]
         if taken.settled:
             return taken.each
-        return self._earlier.get(kind, taken.evaluations * rate(kind))
+        earlier = self._earlier.get(kind)
+        return taken.evaluations * rate(kind) if earlier is None else earlier * self._slower()
+
+    def _slower(self) -> float:
+        """Return how many times as long runs take as they did in other calls."""
+        pairs = [
+            (taken.each, self._earlier[kind])
+            for kind, taken in self._kinds.items()
+            if taken.settled and kind in self._earlier
+        ]
+        before = sum(earlier for _, earlier in pairs)
+        return sum(now for now, _ in pairs) / before if before else 1.0
 
     def _rate(self) -> Callable[[Kind], float]:
         """Return what tells the seconds of an evaluation for kinds without a run of their own."""
