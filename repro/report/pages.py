@@ -6,7 +6,6 @@ from dataclasses import replace
 from types import MappingProxyType
 
 from repro.audit.arms import rows_of_arm
-from repro.judge.by_print import printed_sizes
 from repro.judge.judgement import Judgement
 from repro.judge.verdict import Verdict
 from repro.model.figures import Arm, Figure
@@ -45,6 +44,7 @@ from repro.report.views.line_plot import least_values
 from repro.report.views.readings import ruled_out_by, settings_of
 from repro.report.views.runs import RunsView, runs_view
 from repro.report.views.search_box import search_index
+from repro.report.views.sizes import sized
 from repro.report.views.times import times_drawn
 from repro.report.views.weighed import weighed
 from repro.tables.rows import AuditRow
@@ -95,14 +95,11 @@ def _context(
     """Return what the templates of a paper's pages name, less what is drawn of the runs."""
     paper = judgement.paper
     calibrated = calibration()["rows"]
-    found = everything(
-        judgement.findings,
-        judgement.audit,
-        settings_of(paper),
-        ruled_out_by(paper),
-        sizes=printed_sizes(paper),
+    told = everything(
+        *(judgement.findings, judgement.audit, settings_of(paper), ruled_out_by(paper)),
         least=least_values(paper.claims, judgement.certificates),
     )
+    found = sized(told, paper)
     return {
         "paper": paper,
         "called": called,

@@ -127,15 +127,12 @@ def everything(
     rows: Iterable[AuditRow],
     settings: Mapping[str, Sequence[str]] | None = None,
     ruled_out: Collection[str] = (),
-    *,
-    sizes: Sequence[float | None] = (),
     least: Sequence[float | None] = (),
 ) -> list[Shown]:
     """Return every finding in the words and digits of the pages, with the audit rows on it.
 
     `settings` names the readings that are values of each open setting, `ruled_out` those that the
-    text rules out; `sizes` is what each measure is by the printed numbers alone, `least` are proved
-    least values of what the first findings measure.
+    text rules out; `least` are proved least values of what the first findings measure.
     """
     marks = marks_by_cell(rows)
     names = identifiers((f.table or "claim", f.row, f.column, f.claim) for f in findings)
@@ -143,8 +140,7 @@ def everything(
     lines: Counter[str] = Counter()
     found = []
     proved = chain(least, repeat(None))
-    printed = sizes or repeat(None)
-    for name, finding, low, size in zip(names, findings, proved, printed, strict=False):
+    for name, finding, low in zip(names, findings, proved, strict=False):
         group = anchor(finding.table or "claims")
         lines[group] += 1
         cell = (finding.table, finding.row, finding.column)
@@ -158,7 +154,6 @@ def everything(
                 readings=readings,
                 least=number(low, digits) if low is not None else "",
                 drawn=drawn_number(finding, low),
-                size=_size(finding, size),
                 counted=counted(finding.group, together[finding.group] - 1),
                 turns=turns_of(finding, readings, settings or {}),
             )
@@ -232,15 +227,6 @@ def _own(finding: Finding) -> str:
     if finding.as_run is None or finding.as_run is finding.verdict:
         return ""
     return verdict_words(finding.as_run, finding.as_run_side)
-
-
-def _size(finding: Finding, by_print: float | None) -> str:
-    """Return how large the thing is that a sentence only names, as "clearly faster" does."""
-    if finding.printed != IN_WORDS or finding.measured is None:
-        return ""
-    told = [] if by_print is None else [f"by the print {with_unit(number(by_print), finding.unit)}"]
-    runs = with_unit(interval(finding.measured), finding.unit)
-    return ", ".join((*told, f"{'by the runs' if finding.repeats else 'as computed'} {runs}"))
 
 
 def with_unit(text: str, unit: str) -> str:
