@@ -51,7 +51,7 @@ def test_searching_leads_to_the_cell(visit: Open) -> None:
     box = page.get_by_role("searchbox", name=LABEL)
 
     box.press_sequentially("liang f1 mean iwoa table")
-    page.locator("#search li a", has_text="Table II, F1 Mean, IWOA").click()
+    page.get_by_role("link", name="Table II, F1 Mean, IWOA", exact=True).click()
 
     page.wait_for_url("**/liang2026.tables.html#table-ii-f1-mean-iwoa")
     page.locator("#table-ii-f1-mean-iwoa .panel").wait_for(state="visible")
