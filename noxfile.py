@@ -19,8 +19,9 @@ nox.options.reuse_venv = "yes"
 ONE_THREAD = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
 # tests start many processes, which load faster what is compiled once
 TESTING = {**ONE_THREAD, "PYTHONDONTWRITEBYTECODE": ""}
-# a file's tests share what they make once; numbers of a machine under load are no benchmarks
-SPREAD = ("-n", "auto", "--dist", "loadfile", "--benchmark-disable")
+# the longest file comes first, and a file's tests share what they make once; numbers of a machine
+# under load are no benchmarks
+SPREAD = ("-n", "auto", "--dist", "loadfile", "--no-loadscope-reorder", "--benchmark-disable")
 LOCKS = {
     "run": [],
     "test": ["test"],
@@ -109,6 +110,7 @@ def again(session: nox.Session) -> None:
 def tests(session: nox.Session) -> None:
     """Run the tests, a full-size re-run of the papers' protocols among them."""
     _install(session, "test")
+    session.install("--require-hashes", "--no-deps", "-r", "requirements/urdf.lock")
     kinds = ("-m", "not browser and not cluster and not adapters")
     session.run("pytest", *kinds, *SPREAD, *session.posargs, env=TESTING)
 
@@ -116,7 +118,7 @@ def tests(session: nox.Session) -> None:
 @nox.session(venv_backend="uv")  # pip knows no lowest versions
 def lowest(session: nox.Session) -> None:
     """Run the tests with the lowest versions that pyproject.toml allows: its bounds are true."""
-    oldest = ("--resolution", "lowest-direct")
+    oldest = ("--upgrade", "--resolution", "lowest-direct")  # what is there may be newer
     session.install(
         *oldest, "-r", "pyproject.toml", "--extra", "test", "-r", "requirements/build.in"
     )
@@ -153,7 +155,9 @@ def browser(session: nox.Session) -> None:
     """Look at the pages in Chromium: by mouse, by keyboard, without script, on a phone, printed."""
     _install(session, "browser")
     environment = {**TESTING, "REPRO_BROWSER": _chromium(session)}
-    session.run("pytest", "-m", "browser", *SPREAD, *session.posargs, env=environment)
+    # one file holds most of these tests, and all share one folder of pages
+    spread = (*SPREAD, "--dist", "worksteal")
+    session.run("pytest", "-m", "browser", *spread, *session.posargs, env=environment)
 
 
 @nox.session
@@ -206,9 +210,10 @@ def adapters(session: nox.Session) -> None:
 
 @nox.session
 def references(session: nox.Session) -> None:
-    """Compare the certificates with two other planners, and test that they agree."""
+    """Ask two other planners: writes repro/judge/planners.json, and tests that they agree."""
     _install(session, "references")
     session.run("repro", "references", *session.posargs)
+    session.run("python", "-m", "tests.outside_times")
     asked = (
         "judge/test_outside_planners",
         "robotics/test_chain",
@@ -278,9 +283,10 @@ def lock(session: nox.Session) -> None:
             *("--universal", "--python-version", "3.11", "--generate-hashes", "--upgrade"),
             *("--no-annotate", "--no-header", "--quiet", "-o", f"requirements/{name}.lock"),
         )
-    for name in PEERS:
+    for name in (*PEERS, "urdf"):
+        alone = ("--no-deps",) if name == "urdf" else ()
         session.run(
-            *("uv", "pip", "compile", f"requirements/{name}.in", "--universal"),
+            *("uv", "pip", "compile", f"requirements/{name}.in", "--universal", *alone),
             *("--python-version", "3.11", "--generate-hashes", "--upgrade", "--no-annotate"),
             *("--no-header", "--quiet", "-o", f"requirements/{name}.lock"),
         )

@@ -2,7 +2,7 @@
 
 import shlex
 from argparse import Namespace
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 
@@ -12,16 +12,18 @@ from repro.commands.compiled_code import say_whether_kept
 from repro.commands.running import run_lacking
 from repro.determinism.provenance import provenance
 from repro.errors import InputError
+from repro.judge.centre_bias import users_bias
 from repro.judge.certificates import certify
 from repro.judge.comparison import Asked, Comparison, Missing, Part
 from repro.judge.users_search import chance_warnings, users_search
 from repro.model.evidence import Evidence
 from repro.model.paper import Paper
 from repro.optimisers.libraries import BASELINES
-from repro.runs.compared import Compared, narrowed, remember
+from repro.runs.compared import Compared, moved, moved_tasks, narrowed, remember
 from repro.runs.gather import gather
 from repro.runs.honesty import identical, probed
 from repro.runs.plan import Task, plan
+from repro.runs.run import Record
 from repro.runs.store.store import Store
 from repro.runs.studies import ENOUGH, studies
 from repro.runs.workers.local import checked_workers, local
@@ -33,14 +35,15 @@ def compared(
     asked: Asked,
     papers: Sequence[Paper],
     options: Namespace,
-    report: Callable[[int, int], None],
+    reporting: Callable[[], Callable[[int, int], None]],
     *,
     ready: Callable[[], object] = tuple,
 ) -> Comparison:
     """Run the searches as far as the store lacks them, make one again, and judge them all.
 
-    Options say where and by whom runs are made (`store`, `workers`, `dask`, `called`); `ready` is
-    called before. Raises InputError for a name that is unknown and a number that cannot be.
+    Options say where and by whom runs are made (`store`, `workers`, `dask`, `called`); `reporting`
+    makes what shows progress, once for the protocols and once for moved optima; `ready` is called
+    before. Raises InputError for a name that is unknown and a number that cannot be.
     """
     own = _protocols(asked, papers)
     tasks = _tasks(asked, own)
@@ -48,9 +51,12 @@ def compared(
     say_whether_kept()
     used = libraries(getattr(search, "place", "") for search in asked.searches.values())
     with Store(options.store, say=options.say) as store:
-        failed = run_lacking(store, tasks, options, report, partial(_environment, used))
+        environment = partial(_environment, used)
+        failed = run_lacking(store, tasks, options, reporting(), environment)
         remember(options.store, _noted(asked, own))
         stored = {record.task.key: record for record in store.records(tasks)}
+        aside = _moved(asked, own, stored.values())
+        failed += run_lacking(store, aside, options, reporting(), environment) if aside else []
         parts = tuple(
             part for key, paper in own.items()
             for part in _parts(store, next(p for p in papers if p.key == key), paper, tasks, asked)
@@ -69,6 +75,11 @@ def compared(
     )
 
 
+def silence() -> Callable[[int, int], None]:
+    """Return what shows no progress."""
+    return lambda _done, _total: None
+
+
 def _environment(used: Mapping[str, str]) -> dict[str, object]:
     """Return the provenance of runs, with the versions of what their searches import."""
     return {**provenance(), "libraries": dict(used)}
@@ -76,12 +87,19 @@ def _environment(used: Mapping[str, str]) -> dict[str, object]:
 
 def _tasks(asked: Asked, own: Mapping[str, Paper]) -> list[Task]:
     """Return the runs of the searches, each with its time limit."""
-    planned = plan(own.values(), asked.repeats)
-    return [_timed(task, asked.timeout) for task in planned if task.algorithm in asked.searches]
+    planned = plan(own.values(), asked.repeats, protocol_only=True)
+    return [replace(task, timeout=asked.timeout) for task in planned]
 
 
-def _timed(task: Task, timeout: float | None) -> Task:
-    return replace(task, timeout=timeout)
+def _moved(asked: Asked, own: Mapping[str, Paper], stored: Iterable[Record]) -> list[Task]:
+    """Return the runs with optima moved aside, of searches that failed in no run in place."""
+    failing = {record.task.algorithm for record in stored if record.reason}
+    planned = (task for paper in own.values() for task in moved_tasks(paper))
+    return [
+        replace(task, timeout=asked.timeout)
+        for task in planned
+        if asked.centre_bias and task.algorithm not in failing
+    ]
 
 
 def _protocols(asked: Asked, papers: Sequence[Paper]) -> dict[str, Paper]:
@@ -138,7 +156,8 @@ def _parts(
     """Return each experiment judged, with the runs of others that the store has of it."""
     names = {experiment.name: experiment for experiment in own.experiments}
     others = gather(store, paper, plan([paper], ENOUGH), studies(paper, ENOUGH))
-    found = gather(store, own, tasks)
+    aside = replace(own, experiments=(*own.experiments, *moved(own)))
+    found = gather(store, aside, (*tasks, *(moved_tasks(own) if asked.centre_bias else ())))
     runs = {**others.runs, **found.runs}
     certificates = certify(paper)
     parts = []
@@ -149,7 +168,10 @@ def _parts(
                 paper, some, runs, certificates, name=tuple(asked.searches), against=asked.against
             )
             evidence = Evidence(paper.key, (some,), runs)
-            parts.append(Part(paper=paper, experiment=some, found=judged, evidence=evidence))
+            bias = users_bias(some, evidence, asked.searches, against=asked.against)
+            parts.append(
+                Part(paper=paper, experiment=some, found=judged, evidence=evidence, bias=bias)
+            )
     return parts
 
 

@@ -2,7 +2,7 @@
 
 import sys
 from argparse import Namespace
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from repro.commands import catalogue
@@ -14,12 +14,12 @@ from repro.commands.progress import Progress
 from repro.commands.running import run_lacking
 from repro.commands.shown_rows import warn
 from repro.commands.unchanged import Written
-from repro.commands.written_pages import write_pages
-from repro.errors import SOME_RUN_FAILED
+from repro.commands.written_pages import Run, write_pages
+from repro.errors import SOME_RUN_FAILED, Terminated
 from repro.report.earlier import check_folder
 from repro.report.files import usable_folder
 from repro.report.results import Json, read_results
-from repro.runs.plan import Task, plan
+from repro.runs.plan import Task, plan, planned
 from repro.runs.run import Record
 from repro.runs.session import mended
 from repro.runs.store.store import Store
@@ -30,24 +30,27 @@ def run(options: Namespace) -> int:
     """Run, judge, write; the last line says what differs from the expected verdicts."""
     chosen = catalogue.chosen(options)
     keys, known = [paper.key for paper in chosen], catalogue.order(chosen)
-    tasks = plan(chosen, options.repeats, options.master_seed, protocol_only=options.protocol_only)
+    tasks = planned(
+        chosen, options.repeats, options.master_seed, protocol_only=options.protocol_only
+    )
     lists = _looked_at(options, keys, known)
     written = Written(
         tasks=tasks, chosen=keys, known=known,
         declarations=catalogue.folders(), reports=options.reports,
     )  # fmt: skip
 
+    def pages(of: Sequence[Task], deeper: Run | None = None) -> Json:
+        said = {"called": options.called, "places": options.places}
+        return write_pages(store, chosen, of, options.reports, known, deeper, **said)
+
     def work() -> tuple[list[Record], Json | None]:
         if catalogue.of_this_house(options.places.values()) and written.stand(store):
             return [], read_results(options.reports / "results.json")
-        failed = run_lacking(store, tasks, options, Progress())
+        at_first = plan(chosen, 1, options.master_seed, protocol_only=True)
+        failed = _run(store, tasks, at_first, options, pages)
         remember(options.store, chosen)
-
-        def deeper(more: Sequence[Task]) -> None:
-            failed.extend(run_lacking(store, more, options, Progress()))
-
-        results = write_pages(
-            store, chosen, tasks, options.reports, known, deeper, called=options.called
+        results = pages(
+            tasks, lambda more: failed.extend(run_lacking(store, more, options, Progress()))
         )
         written.remember(store)
         return failed, results
@@ -62,6 +65,45 @@ def run(options: Namespace) -> int:
         if not paper.experiments:
             sys.stdout.write(f"{paper.key} has no experiments: nothing was to be run\n")
     return SOME_RUN_FAILED if failed else 0
+
+
+def _run(
+    store: Store,
+    tasks: Sequence[Task],
+    at_first: Sequence[Task],
+    options: Namespace,
+    pages: Callable[[Sequence[Task]], Json],
+) -> list[Record]:
+    """Run what is missing and return the failed runs.
+
+    `at_first`, the first repeat of every protocol, comes first, and provisional pages are written
+    of it. Where the call is interrupted after that, they are written again of what there is.
+    """
+    lacks_first = any(store.lacking(at_first))
+    progress = Progress()
+    progress.expect(store.lacking(tasks), store.seconds())
+    failed: list[Record] = []
+    if lacks_first:
+        failed = run_lacking(store, at_first, options, progress)
+        if progress.expecting:
+            with progress.paused():
+                pages(at_first)
+            _say_provisional(options.reports, "of one repeat; the runs go on")
+    tried = {record.task.key for record in failed}
+    rest = [task for task in tasks if task.key not in tried] if tried else tasks
+    try:
+        return [*failed, *run_lacking(store, rest, options, progress)]
+    except Terminated:
+        raise
+    except KeyboardInterrupt:
+        pages(tasks)
+        _say_provisional(options.reports, "of what was run")
+        raise
+
+
+def _say_provisional(reports: Path, of: str) -> None:
+    sys.stdout.write(f"provisional pages, {of}: {reports / 'index.html'}\n")
+    sys.stdout.flush()
 
 
 def _looked_at(options: Namespace, keys: Sequence[str], known: Sequence[str]) -> dict[str, Path]:

@@ -4,6 +4,7 @@ from argparse import Namespace
 from collections.abc import Callable, Sequence
 from functools import partial
 
+from repro.commands.progress import Progress
 from repro.determinism.provenance import provenance
 from repro.runs.plan import Task
 from repro.runs.run import Record
@@ -22,6 +23,10 @@ def run_lacking(
 ) -> list[Record]:
     """Run what the store lacks and return the failed runs; see `run_missing`."""
     missing = partial(run_missing, store, tasks, environment=environment, report=report)
+    if isinstance(report, Progress):
+        if not report.expecting:
+            report.expect(store.lacking(tasks), store.seconds())
+        missing = partial(missing, note=report.note)
     if options.dask:
         with dask_cluster.cluster(options.dask) as (executor, threads):
             batch = dask_cluster.BATCH_SECONDS

@@ -24,16 +24,17 @@ def run_missing(
     workers: int | Callable[[], int],
     environment: Callable[[], dict[str, object]],
     report: Callable[[int, int], None],
+    note: Callable[[Record], None] = lambda _: None,
     batch_seconds: float = BATCH_SECONDS,
 ) -> list[Record]:
     """Run every task that the store lacks, keep each at once, and return the failed ones.
 
-    `report` is told (done, to do) after every batch.
+    `note` is told of every record, `report` (done, to do) after every batch.
     """
-    missing = store.missing(tasks)
+    total = sum(1 for _ in store.lacking(tasks))
     failed: list[Record] = []
     done = 0
-    here = environment() if missing else {}
+    here = environment() if total else {}
     begun: Mapping[str, object] | None = None
 
     def keep(records: list[Record]) -> None:
@@ -44,10 +45,13 @@ def run_missing(
                 store.begin(begun)
             store.add(made_there)
         failed.extend(record for record in records if record.reason)
+        for record in records:
+            note(record)
         done += len(records)
-        report(done, len(missing))
+        report(done, total)
 
-    run_all(missing, executor, workers, keep, batch_seconds=batch_seconds)
+    # asked for again while runs are handed out, so that many more than fit in memory can be
+    run_all(store.lacking(tasks), executor, workers, keep, batch_seconds=batch_seconds)
     return failed
 
 

@@ -160,7 +160,7 @@ def test_arrow_keys_move_on_the_map_and_enter_opens_the_evidence(visit: Open) ->
     page.keyboard.press("ArrowDown")
     below = page.evaluate("document.activeElement.getAttribute('href')")
     page.keyboard.press("Enter")
-    page.locator(SHOWN).wait_for(state="visible")
+    page.locator(".panel:visible").wait_for(state="visible")
 
     assert below not in (None, first.get_attribute("href"))
     assert page.url.endswith(below)

@@ -10,16 +10,18 @@ from repro.judge.times_found import FoundTime
 from repro.model.identifiers import anchor
 from repro.report.drawings.draw import Drawing, drawing
 from repro.report.drawings.times import times_plot
+from repro.report.outside_times import outside_times
 from repro.report.words import number
 
 
 def time_cells(certificate: Certificate, found: Iterable[FoundTime]) -> list[tuple[str, str, str]]:
-    """Return label, seconds and ratio to the minimum of printed and of found times."""
+    """Return label, seconds and ratio to the minimum of printed, found and outside times."""
     rows = [(f"printed: {p.label}", p.time, p.ratio) for p in certificate.printed]
     for each in found:
         label = f"re-run: {each.algorithm}, all repeats,"
         rows.append((f"{label} mean", each.mean, each.mean_ratio))
         rows.append((f"{label} best", each.least, each.least_ratio))
+    rows += outside_times(certificate)
     return [(label, number(time), f"{ratio:.4f}") for label, time, ratio in rows]
 
 
