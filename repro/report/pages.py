@@ -41,6 +41,7 @@ from repro.report.views.calibration import truthful
 from repro.report.views.findings import Shown, bare_table, everything, table_view, tallies
 from repro.report.views.heat_map import heat_map
 from repro.report.views.line_plot import least_values
+from repro.report.views.picture import picture
 from repro.report.views.readings import ruled_out_by, settings_of
 from repro.report.views.runs import RunsView, runs_view
 from repro.report.views.search_box import search_index
@@ -200,7 +201,7 @@ def index_files(
     another_seed: Json | None = None,
     called: Mapping[str, str] = MappingProxyType({}),
 ) -> dict[str, str]:
-    """Return the index pages and the table of verdicts alone.
+    """Return the index pages, and what the README has of them: table, findings and picture.
 
     `another_seed` is what `repro flips --json` said of these results and those of another seed;
     `called` says what papers that are not of this checkout are called at the command line.
@@ -220,7 +221,11 @@ def index_files(
         "another_seed": another_seed,
         "again": _all_again(papers, called),
     }
-    return {name: render(name, context) for name in ("index.html", "index.md", "verdicts.md")}
+    names = ("index.html", "index.md", "verdicts.md", "finding.md")
+    return {
+        **{name: render(name, context) for name in names},
+        "figures/at-a-glance.svg": render("at-a-glance.svg", picture(papers)),
+    }
 
 
 def _all_again(papers: Sequence[Json], called: Mapping[str, str]) -> str:
