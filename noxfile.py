@@ -3,6 +3,7 @@
 # ///
 """What can be done here; `nox -l` lists it."""
 
+import json
 import os
 import pathlib
 import shutil
@@ -18,8 +19,9 @@ nox.options.reuse_venv = "yes"
 ONE_THREAD = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
 # tests start many processes, which load faster what is compiled once
 TESTING = {**ONE_THREAD, "PYTHONDONTWRITEBYTECODE": ""}
-# a file's tests share what they make once; numbers of a machine under load are no benchmarks
-SPREAD = ("-n", "auto", "--dist", "loadfile", "--benchmark-disable")
+# the longest file comes first, and a file's tests share what they make once; numbers of a machine
+# under load are no benchmarks
+SPREAD = ("-n", "auto", "--dist", "loadfile", "--no-loadscope-reorder", "--benchmark-disable")
 LOCKS = {
     "run": [],
     "test": ["test"],
@@ -30,6 +32,7 @@ LOCKS = {
     "references": ["references", "urdf", "test"],
     "browser": ["browser", "test"],
 }
+LOWEST = (3, 11)  # the Python of pyproject.toml
 PEERS = ("peers", "mealpy")  # two environments: mealpy wants an older NumPy than others do
 
 
@@ -106,6 +109,7 @@ def again(session: nox.Session) -> None:
 def tests(session: nox.Session) -> None:
     """Run the tests, a full-size re-run of the papers' protocols among them."""
     _install(session, "test")
+    session.install("--require-hashes", "--no-deps", "-r", "requirements/urdf.lock")
     kinds = ("-m", "not browser and not cluster and not adapters")
     session.run("pytest", *kinds, *SPREAD, *session.posargs, env=TESTING)
 
@@ -113,7 +117,7 @@ def tests(session: nox.Session) -> None:
 @nox.session(venv_backend="uv")  # pip knows no lowest versions
 def lowest(session: nox.Session) -> None:
     """Run the tests with the lowest versions that pyproject.toml allows: its bounds are true."""
-    oldest = ("--resolution", "lowest-direct")
+    oldest = ("--upgrade", "--resolution", "lowest-direct")  # what is there may be newer
     session.install(
         *oldest, "-r", "pyproject.toml", "--extra", "test", "-r", "requirements/build.in"
     )
@@ -122,12 +126,37 @@ def lowest(session: nox.Session) -> None:
     session.run("pytest", *kinds, *SPREAD, *session.posargs, env=TESTING)
 
 
+@nox.session(venv_backend="uv")
+def built(session: nox.Session) -> None:
+    """Build sdist and wheel, and try the wheel with every Python here that it allows."""
+    folder = pathlib.Path(session.create_tmp()).resolve()
+    session.install("uv", "-r", "requirements/build.in")
+    shutil.rmtree(folder / "dist", ignore_errors=True)
+    # the wheel is made of the sdist, so that both are whole
+    build = ("uv", "build", "--quiet", "--no-build-isolation", "--out-dir", str(folder / "dist"))
+    session.run(*build)
+    (wheel,) = (folder / "dist").glob("*.whl")
+    tried = str(pathlib.Path("tests/installed_trial.py").resolve())
+    for version, python in sorted(_pythons(session).items()):
+        session.log(f"with Python {'.'.join(map(str, version))}")
+        place = folder / f"python{version[1]}"
+        session.run("uv", "venv", "--quiet", "--clear", "--python", python, str(place))
+        # the lowest versions of all are installed with the lowest Python
+        oldest = ("--resolution", "lowest-direct") if version == LOWEST else ()
+        own = str(place / "bin" / "python")
+        session.run("uv", "pip", "install", "--quiet", "--python", own, *oldest, str(wheel))
+        with session.chdir(session.create_tmp()):
+            session.run(own, "-I", tried, env=ONE_THREAD, external=True)
+
+
 @nox.session
 def browser(session: nox.Session) -> None:
     """Look at the pages in Chromium: by mouse, by keyboard, without script, on a phone, printed."""
     _install(session, "browser")
     environment = {**TESTING, "REPRO_BROWSER": _chromium(session)}
-    session.run("pytest", "-m", "browser", *SPREAD, *session.posargs, env=environment)
+    # one file holds most of these tests, and all share one folder of pages
+    spread = (*SPREAD, "--dist", "worksteal")
+    session.run("pytest", "-m", "browser", *spread, *session.posargs, env=environment)
 
 
 @nox.session
@@ -180,9 +209,10 @@ def adapters(session: nox.Session) -> None:
 
 @nox.session
 def references(session: nox.Session) -> None:
-    """Compare the certificates with two other planners, and test that they agree."""
+    """Ask two other planners: writes repro/judge/planners.json, and tests that they agree."""
     _install(session, "references")
     session.run("repro", "references", *session.posargs)
+    session.run("python", "-m", "tests.outside_times")
     asked = (
         "judge/test_outside_planners",
         "robotics/test_chain",
@@ -252,9 +282,10 @@ def lock(session: nox.Session) -> None:
             *("--universal", "--python-version", "3.11", "--generate-hashes", "--upgrade"),
             *("--no-annotate", "--no-header", "--quiet", "-o", f"requirements/{name}.lock"),
         )
-    for name in PEERS:
+    for name in (*PEERS, "urdf"):
+        alone = ("--no-deps",) if name == "urdf" else ()
         session.run(
-            *("uv", "pip", "compile", f"requirements/{name}.in", "--universal"),
+            *("uv", "pip", "compile", f"requirements/{name}.in", "--universal", *alone),
             *("--python-version", "3.11", "--generate-hashes", "--upgrade", "--no-annotate"),
             *("--no-header", "--quiet", "-o", f"requirements/{name}.lock"),
         )
@@ -277,6 +308,21 @@ def _peers(session: nox.Session) -> pathlib.Path:
             session.warn(f"{lock} cannot be installed here; the page says which peers are missing")
             shutil.rmtree(folder / name)
     return folder
+
+
+def _pythons(session: nox.Session) -> dict[tuple[int, ...], str]:
+    """Return the interpreters that are here and new enough, by version; pyenv's too."""
+    kept = pathlib.Path(os.environ.get("PYENV_ROOT", pathlib.Path.home() / ".pyenv"))
+    folders = [*map(str, kept.glob("versions/*/bin")), os.environ["PATH"]]
+    listing = ("uv", "python", "list", "--only-installed", "--output-format", "json")
+    environment = {"PATH": os.pathsep.join(folders), "UV_PYTHON_DOWNLOADS": "never"}
+    told = session.run(*listing, env=environment, silent=True, stderr=None)
+    found = {}
+    for each in json.loads(str(told)):
+        version = tuple(map(int, each["version"].split(".")[:2])) if each["path"] else ()
+        if each["implementation"] == "cpython" and version >= LOWEST:
+            found.setdefault(version, each["path"])
+    return found
 
 
 def _chromium(session: nox.Session) -> str:

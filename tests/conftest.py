@@ -16,6 +16,17 @@ settings.register_profile("fuzz", max_examples=10_000, deadline=None)
 settings.register_profile("faults", max_examples=2_000, deadline=None)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "tests"))
 
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Begin with the longest file, lest one worker ends alone with it."""
+    items.sort(key=lambda item: item.get_closest_marker("full_size") is None)
+
+
+def pytest_make_parametrize_id(val: object, argname: str) -> str | None:
+    """Name bytes by their argument: archives hold their time, and workers must agree on names."""
+    return argname if isinstance(val, bytes) else None
+
+
 _TALLY = pytest.StashKey[Counter[str]]()
 
 

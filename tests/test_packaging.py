@@ -81,3 +81,11 @@ def test_the_readme_and_the_classifiers_name_the_same_systems() -> None:
     assert [name.rpartition(" :: ")[2] for name in sorted(systems)] == ["MacOS", "Linux"]
     assert "Linux and macOS" in readme
     assert "WSL" in readme
+
+
+def test_the_readme_and_the_classifiers_name_the_same_pythons() -> None:
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    named = [c.rpartition(" :: ")[2] for c in PROJECT["classifiers"] if ":: Python :: 3." in c]
+
+    assert PROJECT["requires-python"] == f">={named[0]}"
+    assert f"Tested are {', '.join(named[:-1])} and {named[-1]} on Linux" in readme

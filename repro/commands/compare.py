@@ -8,7 +8,7 @@ from pathlib import Path
 
 from repro.commands import catalogue
 from repro.commands.compare_entrants import named, split, stem
-from repro.commands.comparing import compared
+from repro.commands.comparing import compared, silence
 from repro.commands.interrupts import terminable
 from repro.commands.progress import Progress
 from repro.commands.shown_rows import warn
@@ -35,12 +35,13 @@ def run(options: Namespace) -> int:
         runs=options.runs,
         repeats=options.repeats,
         timeout=options.timeout,
+        centre_bias=options.centre_bias,
     )
     options.say = warn
     with terminable():
-        report = _silent if options.quiet else Progress()
+        reporting = silence if options.quiet else Progress
         found = compared(
-            asked, papers, options, report, ready=partial(usable_folder, options.reports)
+            asked, papers, options, reporting, ready=partial(usable_folder, options.reports)
         )
         called = stem(options.reports, list(searches))
         page = write_comparison(options.reports, called, found)
@@ -48,9 +49,9 @@ def run(options: Namespace) -> int:
         warn(f"run {record.task.name} failed: {record.reason}")
     for warned in found.warnings:
         warn(f"{warned.kind}: {warned.says}")
-    sys.stdout.write(f"page: {page}\n")
     for missing in found.missing:
-        sys.stdout.write(f"{missing.says}\n")
+        warn(missing.says)
+    sys.stdout.write(f"page: {page}\n")
     return SOME_RUN_FAILED if found.failed else 0
 
 
@@ -71,7 +72,3 @@ def _refuse_published(folder: Path) -> None:
     if (folder / "results.json").exists() or folder.resolve() == Path("reports").resolve():
         message = f"the folder {folder} holds published pages: choose another with --reports"
         raise InputError(message)
-
-
-def _silent(_done: int, _of: int) -> None:
-    """Report no progress."""

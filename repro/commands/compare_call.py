@@ -12,9 +12,10 @@ from typing import TYPE_CHECKING, Any
 from repro.commands import catalogue
 from repro.commands.arguments import STORE
 from repro.commands.compare_entrants import check_name, stem
-from repro.commands.comparing import compared
+from repro.commands.comparing import compared, silence
 from repro.commands.progress import Progress
 from repro.commands.shown_rows import warn
+from repro.determinism.read_anew import read_anew
 from repro.errors import InputError
 from repro.judge.comparison import Asked, Comparison
 from repro.optimisers.held_search import entrant_of
@@ -67,7 +68,7 @@ class ComparedResult:
 
     def _repr_html_(self) -> str:
         """Return the page in a frame of its own, so that its style leaves the notebook alone."""
-        page = html.escape(compared_files(self.comparison, "comparison")["html"])
+        page = html.escape(compared_files(self.comparison)[".html"])
         return f'<iframe srcdoc="{page}" width="100%" height="640" style="border:0"></iframe>'
 
 
@@ -84,14 +85,17 @@ def compare(
     store: str | Path = STORE,
     workers: int | None = None,
     timeout: float | None = None,
+    centre_bias: bool = True,
     quiet: bool = False,
 ) -> ComparedResult:
     """Run a search under the protocols of papers and return where it stands beside the others.
 
     `search` is a callable or an object in any form that `repro compare` knows, its place as text,
     or several of them by name in a mapping; it may stand in a notebook's cell. Empty lists name
-    all; `timeout` is in seconds a run. Raises InputError for what cannot be used.
+    all; `timeout` is in seconds a run; with `centre_bias` it is run on moved optima, too. Raises
+    InputError for what cannot be used.
     """
+    read_anew()  # a module may have been edited since the last call
     given = search if isinstance(search, Mapping) else {name or _called(search): search}
     options = Namespace(
         keys=[str(key) for key in papers], store=Path(store), workers=workers, dask=None, say=warn
@@ -105,9 +109,9 @@ def compare(
     asked = Asked(
         searches={known: entrant_of(each, known) for known, each in given.items()},
         experiments=tuple(experiments), problems=tuple(problems), against=tuple(algorithms),
-        runs=runs, repeats=repeats, timeout=timeout,
+        runs=runs, repeats=repeats, timeout=timeout, centre_bias=centre_bias,
     )  # fmt: skip
-    return ComparedResult(compared(asked, chosen, options, _silent if quiet else _bar()))
+    return ComparedResult(compared(asked, chosen, options, silence if quiet else _bar))
 
 
 def _called(search: object) -> str:
@@ -123,15 +127,18 @@ def _bar() -> Callable[[int, int], None]:
         return Progress()
     from IPython import display as shows  # noqa: PLC0415 (loaded there already)
 
-    display: Any = shows.display
-    made: Any = shows.HTML
-    shown = display(_drawn(made, 0, 1), display_id=True)
-    return lambda done, total: shown.update(_drawn(made, done, total))
+    handles: list[Any] = []
+
+    def report(done: int, total: int) -> None:
+        drawn = _drawn(shows.HTML, done, total)
+        if handles:
+            handles[0].update(drawn)
+        else:
+            display: Any = shows.display
+            handles.append(display(drawn, display_id=True))
+
+    return report
 
 
 def _drawn(made: Callable[[str], Any], done: int, total: int) -> Any:  # noqa: ANN401
     return made(f'<progress value="{done}" max="{total}"></progress> {done} of {total} runs')
-
-
-def _silent(_done: int, _of: int) -> None:
-    """Report no progress."""

@@ -32,4 +32,8 @@ def add_compare_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--timeout", type=float, metavar="SECONDS", help="give a run up after so long"
     )
+    parser.add_argument(
+        "--no-centre-bias", action="store_false", dest="centre_bias",
+        help="run nothing with optima moved off the centre of the box, which is three runs for one",
+    )  # fmt: skip
     parser.add_argument("--quiet", action="store_true", help="no progress")

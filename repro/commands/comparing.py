@@ -2,7 +2,7 @@
 
 import shlex
 from argparse import Namespace
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 
@@ -12,16 +12,18 @@ from repro.commands.compiled_code import say_whether_kept
 from repro.commands.running import run_lacking
 from repro.determinism.provenance import provenance
 from repro.errors import InputError
+from repro.judge.centre_bias import users_bias
 from repro.judge.certificates import certify
 from repro.judge.comparison import Asked, Comparison, Missing, Part
 from repro.judge.users_search import chance_warnings, users_search
 from repro.model.evidence import Evidence
 from repro.model.paper import Paper
 from repro.optimisers.libraries import BASELINES
-from repro.runs.compared import Compared, narrowed, remember
+from repro.runs.compared import Compared, moved, moved_tasks, narrowed, remember
 from repro.runs.gather import gather
 from repro.runs.honesty import identical, probed
 from repro.runs.plan import Task, plan
+from repro.runs.run import Record
 from repro.runs.store.store import Store
 from repro.runs.studies import ENOUGH, studies
 from repro.runs.workers.local import checked_workers, local
@@ -33,40 +35,46 @@ def compared(
     asked: Asked,
     papers: Sequence[Paper],
     options: Namespace,
-    report: Callable[[int, int], None],
+    reporting: Callable[[], Callable[[int, int], None]],
     *,
     ready: Callable[[], object] = tuple,
 ) -> Comparison:
-    """Run the searches as far as the store lacks them, make one again, and judge them all.
+    """Run the searches as far as the store lacks them, make one again, and judge all.
 
-    Options say where and by whom runs are made (`store`, `workers`, `dask`, `called`); `ready` is
-    called before. Raises InputError for a name that is unknown and a number that cannot be.
+    Options say where and by whom runs are made (`store`, `workers`, `dask`, `called`); `reporting`
+    makes what shows progress, once for the protocols and once for moved optima; `ready` is called
+    before. Raises InputError for a name that is unknown and a number that cannot be.
     """
     own = _protocols(asked, papers)
     tasks = _tasks(asked, own)
     ready()
     say_whether_kept()
     used = libraries(getattr(search, "place", "") for search in asked.searches.values())
+    made = partial(run_lacking, options=options, environment=partial(_environment, used))
     with Store(options.store, say=options.say) as store:
-        failed = run_lacking(store, tasks, options, report, partial(_environment, used))
+        failed = made(store, tasks, report=reporting())
         remember(options.store, _noted(asked, own))
         stored = {record.task.key: record for record in store.records(tasks)}
+        if aside := _moved(asked, own, stored.values()):
+            failed += made(store, aside, report=reporting())
         parts = tuple(
-            part for key, paper in own.items()
-            for part in _parts(store, next(p for p in papers if p.key == key), paper, tasks, asked)
+            part for paper in papers if paper.key in own
+            for part in _parts(store, paper, own[paper.key], tasks, asked)
         )  # fmt: skip
     with local(checked_workers(options.workers)) as executor:
         seen = probed(tasks, stored, executor)
     warnings = (*seen, *identical(tasks, stored), *chance_warnings(part.found for part in parts))
     return Comparison(
-        asked=asked,
-        parts=parts,
+        asked=asked, parts=parts,
         records=tuple(stored[task.key] for task in tasks if task.key in stored),
-        failed=tuple(failed),
-        warnings=warnings,
-        missing=tuple(_missing(parts, asked, options)),
-        libraries=used,
-    )
+        failed=tuple(failed), warnings=warnings,
+        missing=tuple(_missing(parts, asked, options)), libraries=used,
+    )  # fmt: skip
+
+
+def silence() -> Callable[[int, int], None]:
+    """Return what shows no progress."""
+    return lambda _done, _total: None
 
 
 def _environment(used: Mapping[str, str]) -> dict[str, object]:
@@ -76,12 +84,19 @@ def _environment(used: Mapping[str, str]) -> dict[str, object]:
 
 def _tasks(asked: Asked, own: Mapping[str, Paper]) -> list[Task]:
     """Return the runs of the searches, each with its time limit."""
-    planned = plan(own.values(), asked.repeats)
-    return [_timed(task, asked.timeout) for task in planned if task.algorithm in asked.searches]
+    planned = plan(own.values(), asked.repeats, protocol_only=True)
+    return [replace(task, timeout=asked.timeout) for task in planned]
 
 
-def _timed(task: Task, timeout: float | None) -> Task:
-    return replace(task, timeout=timeout)
+def _moved(asked: Asked, own: Mapping[str, Paper], stored: Iterable[Record]) -> list[Task]:
+    """Return the runs with optima moved aside, of searches that failed in no run in place."""
+    failing = {record.task.algorithm for record in stored if record.reason}
+    planned = (task for paper in own.values() for task in moved_tasks(paper))
+    return [
+        replace(task, timeout=asked.timeout)
+        for task in planned
+        if asked.centre_bias and task.algorithm not in failing
+    ]
 
 
 def _protocols(asked: Asked, papers: Sequence[Paper]) -> dict[str, Paper]:
@@ -138,7 +153,8 @@ def _parts(
     """Return each experiment judged, with the runs of others that the store has of it."""
     names = {experiment.name: experiment for experiment in own.experiments}
     others = gather(store, paper, plan([paper], ENOUGH), studies(paper, ENOUGH))
-    found = gather(store, own, tasks)
+    aside = replace(own, experiments=(*own.experiments, *moved(own)))
+    found = gather(store, aside, (*tasks, *(moved_tasks(own) if asked.centre_bias else ())))
     runs = {**others.runs, **found.runs}
     certificates = certify(paper)
     parts = []
@@ -149,7 +165,10 @@ def _parts(
                 paper, some, runs, certificates, name=tuple(asked.searches), against=asked.against
             )
             evidence = Evidence(paper.key, (some,), runs)
-            parts.append(Part(paper=paper, experiment=some, found=judged, evidence=evidence))
+            bias = users_bias(some, evidence, asked.searches, against=asked.against)
+            parts.append(
+                Part(paper=paper, experiment=some, found=judged, evidence=evidence, bias=bias)
+            )
     return parts
 
 

@@ -22,6 +22,7 @@ from repro.robotics.bsplines import Ends
 from repro.robotics.motion_checks import Rows, numbers, rows
 from repro.robotics.own_motion import OwnMotion
 from repro.robotics.polynomial_motion import PolynomialMotion
+from repro.robotics.polynomials import HIGHEST
 from repro.robotics.proofs.proved import FREE
 
 KEYS = (
@@ -31,7 +32,6 @@ KEYS = (
 )
 DEGREES = {"cubic": 3, "quintic": 5, "septic": 7}
 LAWS = "cubic, quintic, septic, an odd degree (9, 11, …) or spline"
-HIGHEST = 99  # degree: exact arithmetic takes seconds there
 CLOSED_FORM = 9  # highest degree whose polynomial is as good in doubles as it is exactly
 SPLINE = "spline"
 
@@ -246,7 +246,10 @@ def _check_spline(
 ) -> None:
     """Raise Faulty for what a spline does not admit."""
     if "jerk" in limits:
-        message = "jerk: a spline's is not certified; leave it out, or take another law"
+        message = (
+            "jerk: a spline's is not certified, for it is of second degree in the durations over "
+            "the fifth power of their rate; leave it out, or take another law"
+        )
         raise Faulty(message)
     for key in ("start_velocity", "end_velocity"):
         speeds = row_of_numbers(given, key, joints)

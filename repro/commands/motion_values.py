@@ -6,9 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from repro.errors import InputError
-from repro.robotics.motion_checks import Rows, numbers, rows
-
-LARGEST = 1e100  # of any number of a file, in its unit
+from repro.robotics.motion_checks import LARGEST, Rows, numbers, rows
 
 
 class Faulty(InputError):  # noqa: N818 (a fault of a file, not of the program)

@@ -80,24 +80,33 @@ LONGEST_CONTEXT = 20_000  # letters that are searched for the number of runs
 
 
 def _bytes(name: str) -> bytes:
-    if name == STANDARD_INPUT:
-        content = sys.stdin.buffer.read(LONGEST + 1)
-    else:
-        try:
-            path = Path(name)
-            if not stat.S_ISREG(path.stat().st_mode):
-                message = f"{name}: it is no file"
-                raise InputError(message)
-            with path.open("rb") as file:
-                content = file.read(LONGEST + 1)
-        except (OSError, ValueError) as error:
-            reason = error.strerror if isinstance(error, OSError) else str(error)
-            message = f"{name}: cannot be read: {reason}"
-            raise InputError(message) from None
+    try:
+        content = _standard_input() if name == STANDARD_INPUT else _of_file(Path(name))
+    except InputError:
+        raise
+    except (OSError, ValueError) as error:
+        reason = (error.strerror if isinstance(error, OSError) else None) or str(error)
+        message = f"{name}: cannot be read: {reason}"
+        raise InputError(message) from None
     if len(content) > LONGEST:
         message = f"{name}: it is longer than {LONGEST // 2**20} MB, the most that is read"
         raise InputError(message)
     return content
+
+
+def _standard_input() -> bytes:
+    if sys.stdin is None:
+        message = "standard input: it is closed"
+        raise InputError(message)
+    return sys.stdin.buffer.read(LONGEST + 1)
+
+
+def _of_file(path: Path) -> bytes:
+    if not stat.S_ISREG(path.stat().st_mode):
+        message = f"{path}: it is no file"
+        raise InputError(message)
+    with path.open("rb") as file:
+        return file.read(LONGEST + 1)
 
 
 def _decoded(content: bytes) -> tuple[str, tuple[str, ...]]:

@@ -7,11 +7,11 @@ functions, and a centre bias where it is above 10.
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.stats import rankdata
 
 from repro.determinism.seeds import generator
 from repro.model.evidence import Evidence
@@ -97,12 +97,47 @@ class CentreBias:
 def centre_biases(paper: Paper, evidence: Evidence) -> tuple[CentreBias, ...]:
     """Return the biases of every experiment of the paper whose shifted runs are all there."""
     found = [(e, shift_costs(evidence, e)) for e in paper.experiments if centred(e)]
-    return tuple(_centre_bias(each, costs) for each, costs in found if costs)
+    return tuple(_centre_bias(each, costs, _company(each)) for each, costs in found if costs)
 
 
-def _centre_bias(experiment: Experiment, costs: Costs) -> CentreBias:
+def users_bias(
+    experiment: Experiment,
+    evidence: Evidence,
+    searches: Mapping[str, Any],
+    *,
+    against: Sequence[str] = (),
+) -> CentreBias | None:
+    """Return what shifts do to a user's searches and to whatever else was run at every shift.
+
+    `against` are the others that are wanted, all where it is empty. All have as many runs as the
+    one with the fewest. None where no search was.
+    """
+    if not centred(experiment):
+        return None
+    own = replace(
+        experiment,
+        algorithms={
+            **searches,
+            **{n: o for n, o in experiment.algorithms.items() if not against or n in against},
+        },
+        proposed=next(iter(searches)),
+    )
+    found = {name: costs for name in _company(own) if (costs := shift_costs(evidence, own, [name]))}
+    if not found.keys() & searches.keys():
+        return None
+    runs = min(values.shape[1] for costs in found.values() for values in costs.values())
+    kept = {name: own.algorithms[name] for name in own.algorithms if name in found}
+    proposed = next(name for name in searches if name in found)
+    costs = {cell: values[:1, :runs] for each in found.values() for cell, values in each.items()}
+    return _centre_bias(replace(own, algorithms=kept, proposed=proposed), costs, tuple(found))
+
+
+def _company(experiment: Experiment) -> tuple[str, ...]:
+    return (*experiment.algorithms, CONTROL, FLOOR)
+
+
+def _centre_bias(experiment: Experiment, costs: Costs, names: tuple[str, ...]) -> CentreBias:
     problems = centred(experiment)
-    names = (*experiment.algorithms, CONTROL, FLOOR)
     minima = {problem: experiment.problems[problem].minimum for problem in problems}
     return CentreBias(
         experiment=experiment,
@@ -115,17 +150,18 @@ def _centre_bias(experiment: Experiment, costs: Costs) -> CentreBias:
     )
 
 
-def shift_costs(evidence: Evidence, experiment: Experiment) -> Costs:
+def shift_costs(evidence: Evidence, experiment: Experiment, names: Sequence[str] = ()) -> Costs:
     """Return final costs by (shift, problem, algorithm), the same repeats of each; or nothing.
 
-    In place, the paper's algorithms have the runs of the protocol, of which the first repeats
-    count that the shifted ones have too. Nothing is returned unless all of them are there.
+    `names` are all where none is given. In place, the paper's algorithms have the runs of the
+    protocol, of which the first repeats count that the shifted ones have too. Nothing is returned
+    unless all of them are there.
     """
     costs = {}
     for share in (IN_PLACE, *SHARES):
         aside = study_name(experiment.name, shift_name(share))
         for problem in centred(experiment):
-            for name in (*experiment.algorithms, CONTROL, FLOOR):
+            for name in names or _company(experiment):
                 own = share == IN_PLACE and name in experiment.algorithms
                 runs = evidence.runs.get((experiment.name if own else aside, problem, name))
                 if runs is None:
@@ -166,6 +202,8 @@ def standings(
 
     They are ranked by the mean cost itself, as papers rank them, however small it is.
     """
+    from scipy.stats import rankdata  # noqa: PLC0415 (slow to load)
+
     found = []
     for shift in (0.0, *shifts_of(costs)):
         means = [[mean(costs[shift, p, name].ravel()) for name in algorithms] for p in problems]

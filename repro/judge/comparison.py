@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from repro.judge.centre_bias import CentreBias
 from repro.judge.users_search import UsersSearch
 from repro.model.evidence import Evidence
 from repro.model.experiment import Experiment
@@ -17,7 +18,7 @@ class Asked:
     """What is to be compared: searches by name, and how much of which protocols.
 
     Empty lists name all. `against` are the algorithms that are shown beside, `timeout` is in
-    seconds a run.
+    seconds a run, `centre_bias` says whether optima are moved aside, too.
     """
 
     searches: Mapping[str, Any]
@@ -27,6 +28,7 @@ class Asked:
     runs: int | None = None
     repeats: int = 1
     timeout: float | None = None
+    centre_bias: bool = True
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -47,12 +49,16 @@ class Missing:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Part:
-    """One experiment of a comparison: what was judged, and the runs behind it."""
+    """One experiment of a comparison: what was judged, and the runs behind it.
+
+    `bias` is None where no optimum about the centre was moved, or the runs of that are not whole.
+    """
 
     paper: Paper
     experiment: Experiment
     found: UsersSearch
     evidence: Evidence
+    bias: CentreBias | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -8,6 +8,8 @@ from repro.judge.certificates import Certificate
 from repro.robotics import MinimumTime, MinimumTimeSpline, PathFitting
 from repro.robotics.fixed_penalties import cheapest
 
+CERTIFIED = "certified optimum"
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class KnownMinimum:
@@ -15,6 +17,11 @@ class KnownMinimum:
 
     value: float
     how: str
+
+    @property
+    def is_time(self) -> bool:
+        """Whether it is a proved time, in s."""
+        return self.how == CERTIFIED
 
 
 def known_minimum(
@@ -41,5 +48,5 @@ def known_minimum(
             for c in certificates
             if c.problem == label and c.minimum is not None and c.lower_bound is not None
         ]
-        return KnownMinimum(value=proved[0], how="certified optimum") if proved else None
+        return KnownMinimum(value=proved[0], how=CERTIFIED) if proved else None
     return None

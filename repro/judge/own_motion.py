@@ -11,7 +11,7 @@ from repro.judge.certificates import Certificate
 from repro.judge.outside_planners import OutsideReference
 from repro.robotics import MinimumTimeSpline
 from repro.robotics.chain import Chain
-from repro.robotics.motion_checks import Rows
+from repro.robotics.motion_checks import LARGEST, Rows
 from repro.robotics.own_motion import OwnMotion, joints_of
 from repro.robotics.polynomial_motion import KINDS, PolynomialMotion
 from repro.robotics.proofs.least_time import least_time
@@ -134,9 +134,9 @@ def _binds(found: Certificate, kind: str, joint: int) -> bool:
 def _time_without(problem: OwnMotion, kind: str, joint: int, watch: Watch) -> float | None:
     limits = list(getattr(problem, kind))
     if isinstance(problem, PolynomialMotion):
-        limits[joint] = tuple(limit * FREE for limit in limits[joint])
+        limits[joint] = tuple(max(-LARGEST, min(limit * FREE, LARGEST)) for limit in limits[joint])
     else:
-        limits[joint] *= FREE
+        limits[joint] = min(limits[joint] * FREE, LARGEST)
     freed: dict[str, Any] = {kind: tuple(limits)}
     without: OwnMotion = replace(problem, **freed)
     if not isinstance(without, MinimumTimeSpline):

@@ -2,7 +2,9 @@
 
 import os
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import NoReturn
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +16,7 @@ from repro.optimisers.own_search import checked_point
 from repro.optimisers.search import Problem, Result, checked_bounds, noise_of
 
 Vector = NDArray[np.float64]
+ELSEWHERE = "it asked for the cost in another process, where it cannot be counted"
 BESIDE = 1e-9  # share of the width by which rounding may put a point outside
 
 
@@ -40,6 +43,10 @@ class Meter:
         self._best = self.bounds[:, 0]
         self._best_cost = np.inf
         self._history: list[float] = []
+
+    def __reduce__(self) -> NoReturn:
+        """Raise InputError: a copy in another process would count by itself."""
+        raise InputError(ELSEWHERE)
 
     def as_function(self) -> Callable[..., float | Vector]:
         """Return the cost as a function of a point (n,), or of a whole population (m, n)."""
@@ -70,8 +77,7 @@ class Meter:
         Raises InputError in another process, whose evaluations could not be counted.
         """
         if os.getpid() != self._process:
-            message = "it asked for the cost in another process, where it cannot be counted"
-            raise InputError(message)
+            raise InputError(ELSEWHERE)
         with self._lock:
             if self.spent >= self.budget:
                 self.overrun = True
@@ -132,3 +138,19 @@ def _finite(value: float) -> float:
     if -WORST < value < WORST:
         return value
     return -WORST if value < 0.0 else WORST
+
+
+@contextmanager
+def stopping_threads() -> Iterator[None]:
+    """Let threads that ask for more than the budget end without a word, within the block."""
+    before = threading.excepthook
+
+    def hook(raised: threading.ExceptHookArgs) -> None:
+        if not issubclass(raised.exc_type, BudgetSpent):
+            before(raised)
+
+    threading.excepthook = hook
+    try:
+        yield
+    finally:
+        threading.excepthook = before

@@ -76,9 +76,7 @@ def _slime_whale(cost, data, bounds, population, iterations, parameters, state):
                 copy_into(best, X[i])
         history[t - 1] = best_cost
         if parameters[WEIGHT] > 0.0:
-            each = parameters[EACH_WEIGHT] == 1.0
-            fill(draws[: W.size if each else population], words, state)
-            _weigh(W, costs, each, parameters[NATURAL] == 1.0, draws)
+            _weigh(W, costs, parameters, draws, words, state)
         if parameters[CONTROL] == 1.0:
             a = math.atanh(1.0 - t / iterations)  # Eq. (10)
         else:
@@ -94,8 +92,10 @@ def _slime_whale(cost, data, bounds, population, iterations, parameters, state):
 
 
 @jit
-def _weigh(W, costs, each, natural, draws):
-    n = W.shape[1]
+def _weigh(W, costs, parameters, draws, words, state):
+    population, n = W.shape
+    each, natural = parameters[EACH_WEIGHT] == 1.0, parameters[NATURAL] == 1.0
+    fill(draws[: W.size if each else population], words, state)
     order = np.argsort(costs, kind="mergesort")
     bF, wF = costs[order[0]], costs[order[-1]]
     for rank in range(len(order)):

@@ -18,7 +18,7 @@ from repro.errors import InputError
 from repro.optimisers.asked_search import is_asked
 from repro.optimisers.global_generators import seeded
 from repro.optimisers.libraries.budget import BudgetSpent, iterations_of
-from repro.optimisers.metered import Meter, MeteredProblem
+from repro.optimisers.metered import ELSEWHERE, Meter, MeteredProblem, stopping_threads
 from repro.optimisers.own_search import checked_point, filled
 from repro.optimisers.returned_points import point_in
 from repro.optimisers.search import Budget, Problem, Result, noise_of, value, without_noise
@@ -73,7 +73,7 @@ class Entrant:
         state = f"{salt}{budget['rng'].bit_generator.state}"
         seed = int.from_bytes(hashlib.sha256(state.encode()).digest()[:4], "big")
         try:
-            with seeded(seed):
+            with seeded(seed), stopping_threads():
                 found = as_object(self.found())
                 if speaks_protocol(found):
                     return _by_protocol(found, problem, budget)
@@ -97,7 +97,9 @@ def _by_call(found: Any, problem: Problem, budget: Budget) -> Result:  # noqa: A
             meter.judge(point_in(returned, len(meter.bounds)))
     except BudgetSpent:
         pass
-    except Exception:
+    except Exception as error:
+        if Meter.as_function.__qualname__ in str(error):  # of pickle, which cannot send it
+            raise InputError(ELSEWHERE) from None
         if not meter.overrun:  # what a library makes of being stopped, SystemError in C
             raise
     if meter.faults:

@@ -2,40 +2,34 @@
 
 import json
 import math
-from collections.abc import Iterator, Mapping
-from dataclasses import asdict, replace
+from collections.abc import Iterator
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import pandas as pd
 
-from repro.judge.comparison import Comparison, Part
+from repro.judge.comparison import Comparison
 from repro.judge.users_search import mean_against_chance
-from repro.model.evidence import Evidence
-from repro.model.figures import Convergence
-from repro.report.drawings.draw import Drawing, draw, drawing
-from repro.report.drawings.ecdf import ecdf_plot
-from repro.report.drawings.ranks import rank_plot
+from repro.report.compared_drawings import figure_files, pictured
 from repro.report.files import write_file
 from repro.report.frames import csv_text
-from repro.report.plain_rows import rows_of_standings
+from repro.report.plain_rows import rows_of_bias, rows_of_standings
 from repro.report.rendering import render
 from repro.report.views.users_search import users_search_view
-from repro.runs.baseline_study import STUDY_OF
-from repro.runs.equal_budget import EQUAL_BUDGET
 from repro.runs.run import Record
-from repro.runs.studies import study_name
-from repro.statistics.friedman import Friedman, friedman
 
 SCHEMA = 1
 RUN = ("paper", "experiment", "problem", "algorithm", "repeat", "run", "cost", "evaluations",
        "seconds", "reason")  # fmt: skip
-MOST_PANELS = 24  # of a drawing of curves: more are no longer looked at
 
 
-def compared_files(found: Comparison, called: str) -> Mapping[str, str]:
-    """Return the text of each file of a comparison by its suffix."""
+def compared_files(found: Comparison, called: str = "") -> dict[str, str]:
+    """Return the text of each file of a comparison by its place in the folder.
+
+    Without a name, for a page that stands alone, none is named on it.
+    """
+    pictures = pictured(found)
     context = {
         "name": ", ".join(found.asked.searches),
         "called": called,
@@ -45,21 +39,24 @@ def compared_files(found: Comparison, called: str) -> Mapping[str, str]:
         "failed": [(record.task.name, record.reason) for record in found.failed],
         "warnings": found.warnings,
         "missing": found.missing,
-        "drawings": _drawings(found),
+        "pictures": pictures,
         "libraries": ", ".join(f"{name} {version}" for name, version in found.libraries.items()),
     }
     return {
-        "md": render("compare.md", context),
-        "html": render("compare.html", context),
-        "json": json.dumps(as_json(found), indent=1, ensure_ascii=False, allow_nan=False) + "\n",
-        "csv": csv_text(pd.DataFrame(run_rows(found), columns=list(RUN))),
-    }
+        f"{called}.md": render("compare.md", context),
+        f"{called}.html": render("compare.html", context),
+        f"{called}.json": json.dumps(
+            as_json(found), indent=1, ensure_ascii=False, allow_nan=False
+        ) + "\n",
+        f"{called}.csv": csv_text(pd.DataFrame(run_rows(found), columns=list(RUN))),
+        **{f"{called}/{name}": text for name, text in figure_files(pictures)},
+    }  # fmt: skip
 
 
 def write_comparison(folder: Path, called: str, found: Comparison) -> Path:
     """Write a comparison in every form, and return the page's path."""
-    for suffix, text in compared_files(found, called).items():
-        write_file(folder / f"{called}.{suffix}", text)
+    for name, text in compared_files(found, called).items():
+        write_file(folder / name, text)
     return folder / f"{called}.html"
 
 
@@ -78,6 +75,11 @@ def as_json(found: Comparison) -> dict[str, Any]:
             for row in rows_of_standings([part.found.standings])
         ],
         "tests": list(_tests(found)),
+        "centre_bias": [
+            {"paper": part.paper.key, **row}
+            for part in found.parts
+            for row in rows_of_bias(part.bias)
+        ],
         "warnings": [asdict(warned) for warned in found.warnings],
         "missing": [asdict(each) for each in found.missing],
     }
@@ -117,82 +119,3 @@ def _by_paper(found: Comparison) -> list[tuple[Any, list[Any]]]:
             users_search_view(part.found)
         )
     return list(grouped.values())
-
-
-def _drawings(found: Comparison) -> dict[tuple[str, str], list[Drawing]]:
-    """Return the figures of each experiment, by paper and experiment."""
-    return {
-        (part.paper.key, part.experiment.name): list(_drawn(part, f"c{k}", found))
-        for k, part in enumerate(found.parts)
-    }
-
-
-def _drawn(part: Part, identifier: str, found: Comparison) -> Iterator[Drawing]:
-    """Yield convergence, targets reached, and average ranks, as far as there are runs."""
-    evidence = shown(part, found)
-    (experiment,) = evidence.experiments
-    name = experiment.name
-    if not evidence.runs:
-        return
-    figure = Convergence(label=name, caption="median run in the range of its runs", experiment=name)
-    yield draw(figure, evidence, f"{identifier}v")
-    yield drawing(
-        lambda: ecdf_plot(experiment, evidence), title=f"{name}: share of targets reached",
-        identifier=f"{identifier}e",
-    )  # fmt: skip
-    names, ranks = average_ranks(evidence)
-    if ranks:
-        yield drawing(
-            lambda: rank_plot(names, ranks, {}), title=f"{name}: average ranks",
-            identifier=f"{identifier}r",
-        )  # fmt: skip
-
-
-def shown(part: Part, found: Comparison) -> Evidence:
-    """Return the runs that stand beside each other, as of one experiment: searches of all kinds.
-
-    Names are those of the standings; the first of the user's own is drawn as the proposed one.
-    """
-    standings = part.found.standings
-    places = {(row.algorithm, row.kind): None for p in standings.problems for row in p.rows}
-    names = {place: _shown_name(*place) for place in places}
-    runs = {
-        (part.experiment.name, problem, name): part.evidence.runs[cell]
-        for place, name in names.items()
-        for problem in list(part.experiment.problems)[:MOST_PANELS]
-        if (cell := (_study(part, *place), problem, place[0])) in part.evidence.runs
-    }
-    first = next(iter(found.asked.searches))
-    own = next(iter(found.asked.searches.values()))
-    known = {name: part.experiment.algorithms.get(place[0], own) for place, name in names.items()}
-    problems = dict(list(part.experiment.problems.items())[:MOST_PANELS])
-    experiment = replace(
-        part.experiment, algorithms={first: own, **known}, proposed=first, problems=problems
-    )
-    return Evidence(part.paper.key, (experiment,), runs)
-
-
-def _study(part: Part, algorithm: str, kind: str) -> str:
-    """Return the name of the experiment that a standing's runs are of."""
-    departs = {"equal evaluations": EQUAL_BUDGET, "baseline": STUDY_OF.get(algorithm)}.get(kind)
-    return study_name(part.experiment.name, departs) if departs else part.experiment.name
-
-
-def _shown_name(algorithm: str, kind: str) -> str:
-    return f"{algorithm}, {kind}" if kind == "equal evaluations" else algorithm
-
-
-def average_ranks(evidence: Evidence) -> tuple[tuple[str, ...], Friedman | None]:
-    """Return who was run on every problem, and Friedman's test of them where there is one."""
-    (experiment,) = evidence.experiments
-    names = tuple(
-        name for name in experiment.algorithms
-        if all((experiment.name, p, name) in evidence.runs for p in experiment.problems)
-    )  # fmt: skip
-    if len(names) < 3 or len(experiment.problems) < 2:
-        return names, None
-    means = [
-        [float(evidence.runs[experiment.name, p, name].costs[0].mean()) for name in names]
-        for p in experiment.problems
-    ]
-    return names, friedman(np.array(means))

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from repro.errors import InputError
 
+_TOP = 1000  # characters within which a page says what made it
 Texts = dict[str, str]
 """Texts of files by their place in a folder."""
 
@@ -37,6 +38,13 @@ def set_aside(path: Path) -> Path:
     except OSError as error:
         message = f"{path} cannot be set aside: {error.strerror}"
         raise InputError(message) from None
+
+
+def remove_ours(path: Path, mark: str) -> None:
+    """Remove a page that is no longer made, if it carries our mark near its top; no other file."""
+    with suppress(OSError, UnicodeDecodeError):
+        if not path.is_symlink() and mark in path.read_text(encoding="utf-8")[:_TOP]:
+            path.unlink()
 
 
 def write_file(path: Path, content: str | bytes) -> None:

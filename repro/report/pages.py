@@ -1,13 +1,10 @@
 """Writing the reports folder: pages, figures, tables and results.json."""
 
 import shlex
-from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from pathlib import Path
 from types import MappingProxyType
 
-from repro.audit.alone import tables_alone
 from repro.audit.arms import rows_of_arm
 from repro.judge.judgement import Judgement
 from repro.judge.verdict import Verdict
@@ -16,90 +13,76 @@ from repro.model.identifiers import anchor
 from repro.model.paper import Paper
 from repro.report.calibration import calibration
 from repro.report.drawings.draw import Drawing, draw
-from repro.report.files import usable_folder, write_file
 from repro.report.frames import DIGITS, FINDING, csv_text, findings_frame
+from repro.report.glossary import PAGE, glossary
 from repro.report.rendering import render
 from repro.report.results import (
-    PROVENANCE,
     Environments,
+    Files,
     Json,
+    Made,
+    cell_counts,
     impossible_rows,
-    merged,
-    merged_provenance,
     paper_result,
     provenance_entry,
-    read_json,
-    read_results,
-    results_text,
     verdict_counts,
 )
-from repro.report.rooms import Room, neighbours, page_of, rooms_with
+from repro.report.rooms import (
+    Room,
+    neighbours,
+    page_of,
+    rooms_with,
+)
 from repro.report.run_files import packed_runs, place_of_runs
 from repro.report.verdict_pages import VERDICTS, verdict_context
 from repro.report.views.baselines import standings_view
 from repro.report.views.calibration import truthful
 from repro.report.views.findings import Shown, bare_table, everything, table_view, tallies
 from repro.report.views.heat_map import heat_map
-from repro.report.views.readings import readings_view, ruled_out_by, settings_of
+from repro.report.views.line_plot import least_values
+from repro.report.views.readings import ruled_out_by, settings_of
 from repro.report.views.runs import runs_view
-from repro.report.views.search_box import search_rows
-from repro.report.views.times import time_cells
-from repro.tables.audit_words import read_lines, read_words
+from repro.report.views.search_box import search_index
+from repro.report.views.times import times_drawn
+from repro.report.views.weighed import weighed
 from repro.tables.rows import AuditRow
 
-Files = dict[str, str | bytes]
 ANOTHER_SEED = "another-seed.json"
 
 
-def write_report(
-    judgements: Iterable[Judgement],
-    folder: Path,
-    known: Sequence[str],
-    *,
-    environments: Mapping[str, Environments],
-    master_seed: str = "",
-    called: Mapping[str, str] = MappingProxyType({}),
-) -> Json:
-    """Write the pages of what was judged, the index and results.json; return the results.
+def made_of(
+    judgement: Judgement, environments: Environments, master_seed: str = "", called: str = ""
+) -> Made:
+    """Return all that is written of a paper.
 
-    `known` are the keys of all papers, in their order; entries of others are kept from before.
-    `environments` says by paper in what its runs were made; that and how long they took stands in
-    a file of its own, so that equal runs give equal pages. `called` says what papers from
-    elsewhere than this checkout are called at the command line.
+    `environments` says in what its runs were made; that and how long they took stands in a file of
+    its own, so that equal runs give equal pages. `called` says what a paper from elsewhere than
+    this checkout is called at the command line.
     """
-    usable_folder(folder)
-    files: Files = {}
-    entries, made = [], {}
-    for judgement in judgements:
-        key = judgement.paper.key
-        entries.append(_paper_files(judgement, master_seed, files, called.get(key, "")))
-        made[key] = provenance_entry(judgement, environments.get(key, []), called.get(key, ""))
-    results = merged(entries, read_results(folder / "results.json"), known)
-    files["results.json"] = results_text(results)
-    kept = [entry["key"] for entry in results["papers"]]
-    provenance = merged_provenance(made, read_json(folder / PROVENANCE), kept)
-    files[PROVENANCE] = results_text(provenance)
-    # pages of papers that were made by another call stay, and so does what those are called
-    all_called = {key: each.get("called", "") for key, each in provenance["papers"].items()}
-    files |= index_files(results, read_json(folder / ANOTHER_SEED), all_called) | verdict_files()
-    for name, content in files.items():
-        write_file(folder / name, content)
-    return results
+    entry, files = _paper_files(judgement, master_seed, called)
+    provenance = provenance_entry(judgement, environments, called)
+    outside = [each.says for each in judgement.outside if each.outside]
+    says = [f"{judgement.paper.key}, {each}" for each in outside]
+    return Made(entry=entry, provenance=provenance, files=files, says=says)
 
 
-def _paper_files(judgement: Judgement, master_seed: str, files: Files, called: str) -> Json:
+def _paper_files(judgement: Judgement, master_seed: str, called: str) -> tuple[Json, Files]:
     key = judgement.paper.key
     drawings = _drawings(judgement)
     entry = paper_result(judgement, master_seed)
     runs = runs_view(judgement)
+    times = times_drawn(judgement)
+    rooms = _rooms(judgement, drawings, timed=bool(times))
+    entry["rooms"] = [room.name for room in rooms]
     context = _context(judgement, entry, drawings, called) | runs.context()
-    rooms = _rooms(judgement, drawings)
+    context["times_drawn"] = times
+    files: Files = {}
     for before, here, after in neighbours(rooms):
         own = {"here": here, "before": before, "after": after, "rooms": rooms}
         files[page_of(key, here)] = render("paper.html", context | own)
     files[f"{key}.md"] = render("paper.md", context)
-    files |= _data(judgement, entry, drawings) | runs.files(key)
-    return entry
+    files |= {f"tables/{key}-{name}.csv": csv_text(d.frame, DIGITS) for name, d in times}
+    return entry, files | _data(judgement, entry, drawings) | runs.files(key)
 
 
 def _context(
@@ -108,26 +91,22 @@ def _context(
     """Return what the templates of a paper's pages name, less what is drawn of the runs."""
     paper = judgement.paper
     calibrated = calibration()["rows"]
-    found = everything(judgement.findings, judgement.audit, settings_of(paper), ruled_out_by(paper))
-    times = zip(judgement.certificates, judgement.found_times, strict=True)
+    found = everything(
+        *(judgement.findings, judgement.audit, settings_of(paper), ruled_out_by(paper)),
+        least=least_values(paper.claims, judgement.certificates),
+    )
     return {
         "paper": paper,
         "called": called,
+        "entry": entry,
         "cited": entry["cited"],
         "counts": verdict_counts(entry),
-        "shown_counts": Counter(finding.verdict for finding in judgement.findings),
+        "shown_counts": cell_counts(entry),
         "truthful": truthful(judgement, calibrated),
         "not_calibrated": not calibrated,
         "tallies": tallies(found),
         **_printed(paper, found, judgement.audit),
-        "audit": judgement.audit,
-        "alone": [
-            (read_words(table), *read_lines(table, flag="")) for table in tables_alone(paper)
-        ],
-        "certificates": [(certificate, time_cells(certificate, own)) for certificate, own in times],
-        "readings": readings_view(judgement),
-        "besides": judgement.besides,
-        "reading_repeats": judgement.reading_repeats,
+        **weighed(judgement, found),
         "standings": tuple(map(standings_view, judgement.standings)),
         "drawings": [  # with the names of their data
             (drawing, anchor(figure.label))
@@ -137,10 +116,11 @@ def _context(
     }
 
 
-def _rooms(judgement: Judgement, drawings: Sequence[Drawing]) -> tuple[Room, ...]:
-    """Return the rooms that the paper fills."""
+def _rooms(judgement: Judgement, drawings: Sequence[Drawing], *, timed: bool) -> tuple[Room, ...]:
+    """Return the rooms that the paper fills; `timed` where times are drawn."""
     live = [drawing for drawing in drawings if drawing.scene]
     filled = {
+        "times": timed,
         "optimum": judgement.certificates,
         "figures": len(drawings) > len(live),
         "arm": live,
@@ -194,9 +174,16 @@ def _notes(key: str, figure: Figure) -> tuple[str, ...]:
 
 
 def verdict_files() -> Files:
-    """Return the pages that say how verdicts are made."""
-    context = verdict_context(calibration())
-    return {f"{VERDICTS}.{kind}": render(f"{VERDICTS}.{kind}", context) for kind in ("html", "md")}
+    """Return the pages that say how verdicts are made, and what the words mean."""
+    pages: dict[str, Mapping[str, object]] = {
+        VERDICTS: verdict_context(calibration()),
+        PAGE: {"terms": glossary().terms},
+    }
+    return {
+        f"{name}.{kind}": render(f"{name}.{kind}", context)
+        for name, context in pages.items()
+        for kind in ("html", "md")
+    }
 
 
 def index_files(
@@ -217,9 +204,10 @@ def index_files(
         "controls": [paper for paper in papers if paper["control"]],
         "others": [paper for paper in papers if not paper["control"]],
         "counts_of": verdict_counts,
+        "shown_of": cell_counts,
         "impossible_of": impossible_rows,
         "verdicts": [v for v in Verdict if v != Verdict.NOT_RUN or not_run],
-        "search_rows": search_rows(papers),
+        "search": search_index(papers, glossary()),
         "another_seed": another_seed,
         "again": _all_again(papers, called),
     }

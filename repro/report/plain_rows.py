@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 from repro.judge.beside_baselines import ExperimentStandings, ProblemStandings
+from repro.judge.centre_bias import CentreBias
 from repro.judge.rank_tests import AlgorithmTests
 from repro.statistics.friedman import Friedman
 
@@ -84,3 +85,20 @@ def _on_problem(found: ProblemStandings) -> Iterator[Row]:
             "minimum_how": minimum.how if minimum else None, "distance": row.distance,
             "rank": row.rank,
         }  # fmt: skip
+
+
+def rows_of_bias(found: CentreBias | None) -> list[Row]:
+    """Return a row for each algorithm at each shift; none where no optimum was moved.
+
+    Names are those of `Bias`, and `low` and `high` are the ends of its interval.
+    """
+    if found is None:
+        return []
+    return [
+        {
+            "experiment": found.experiment.name, "algorithm": bias.algorithm, "shift": bias.shift,
+            "runs": found.runs, "ratio": bias.ratio, "low": bias.interval[0],
+            "high": bias.interval[1], "p": bias.p, "flagged": bias.flagged,
+        }
+        for bias in found.biases
+    ]  # fmt: skip

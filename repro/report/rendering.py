@@ -1,21 +1,23 @@
 """What templates may name, and a page made of one."""
 
 from collections.abc import Mapping
-from functools import cache
+from functools import cache, partial
 
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 from markupsafe import Markup
 
-from repro.judge.findings import LEVEL
+from repro.judge.findings import IN_WORDS, LEVEL
 from repro.judge.verdict import Verdict
 from repro.model.identifiers import anchor
 from repro.model.measures.measure import TABLES
-from repro.report.drawings.arm_viewer import viewer
+from repro.report.drawings.arm_viewer import packed_viewer, viewer_licence
 from repro.report.escapes import markdown_text
 from repro.report.formulas import dollars, equation_links, formula_anchor, mathml, powers_of_ten
-from repro.report.rooms import address, page_of, to
+from repro.report.glossary import term_link
+from repro.report.rooms import OURS, address, page_of, to
 from repro.report.run_files import place_of_runs
 from repro.report.verdict_pages import VERDICTS
+from repro.report.views.conclusions import concluded
 from repro.report.words import (
     IMPOSSIBLE,
     MEANINGS,
@@ -32,7 +34,7 @@ from repro.report.words import (
 def _templates(*, markdown: bool) -> Environment:
     environment = Environment(
         loader=PackageLoader("repro.report"),
-        autoescape=select_autoescape(["html.jinja"]),
+        autoescape=select_autoescape([] if markdown else ["html.jinja"]),
         undefined=StrictUndefined,
         finalize=_without_tags if markdown else None,
         trim_blocks=True,
@@ -51,12 +53,15 @@ def _templates(*, markdown: bool) -> Environment:
         "comparison_rows": lambda c: [(problem, *texts) for problem, texts in c.rows],
         "cell": markdown_cell,
     }
-    environment.globals |= {"to": to, "address": address, "page_of": page_of}
-    environment.globals |= {"viewer": viewer, "again_command": again_command, "command": command}
+    environment.globals |= {"OURS": OURS, "to": to, "address": address, "page_of": page_of}
+    environment.globals |= {"packed_viewer": packed_viewer, "viewer_licence": viewer_licence}
+    environment.globals |= {"again_command": again_command, "command": command}
     environment.globals |= {"level": LEVEL, "tables_drawn": TABLES, "HOW": VERDICTS}
     environment.globals |= {"SYMBOLS": SYMBOLS, "MEANINGS": MEANINGS, "VERDICTS": tuple(Verdict)}
-    environment.globals |= {"place_of_runs": place_of_runs}
+    environment.globals |= {"place_of_runs": place_of_runs, "concluded": concluded}
+    environment.globals |= {"IN_WORDS": IN_WORDS}
     environment.globals |= {"NOT_REPRODUCIBLE": Verdict.NOT_REPRODUCIBLE}
+    environment.globals |= {"term": partial(term_link, markdown=markdown)}
     environment.globals |= {"RESULTS": RESULTS, "IMPOSSIBLE": IMPOSSIBLE}
     return environment
 

@@ -4,10 +4,11 @@ import dataclasses
 import json
 import math
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from repro.judge.conclusions import conclude
 from repro.judge.counting import counts
 from repro.judge.judgement import Judgement
 from repro.model.assumptions import Assumption
@@ -22,6 +23,23 @@ BEFORE = 1
 PROVENANCE = "provenance.json"
 Json = dict[str, Any]
 Environments = list[dict[str, object]]
+Files = dict[str, str | bytes]
+
+
+@dataclasses.dataclass(frozen=True, slots=True, kw_only=True)
+class Made:
+    """What is written of one paper: its entries in results.json and provenance.json, its files.
+
+    `files` are by their place in the reports folder; `says` is what a terminal is told besides.
+    Of so many `tasks` as many runs are `missing`.
+    """
+
+    entry: Json
+    provenance: Json
+    files: Files
+    says: Sequence[str] = ()
+    tasks: int = 0
+    missing: int = 0
 
 
 def paper_result(judgement: Judgement, master_seed: str) -> Json:
@@ -43,6 +61,7 @@ def paper_result(judgement: Judgement, master_seed: str) -> Json:
             "master_seed": master_seed,
             "drawn_as": dict(judgement.drawn_as),
         },
+        "conclusions": _finite(dataclasses.asdict(conclude(judgement))),
         "findings": _plain(judgement.findings),
         "audit": _plain(judgement.audit),
         "certificates": _plain(judgement.certificates),
@@ -51,6 +70,9 @@ def paper_result(judgement: Judgement, master_seed: str) -> Json:
         "assumptions": [_assumption(assumption) for assumption in paper.assumptions],
         "errata": _plain(paper.errata),
         "gaps": _plain(paper.gaps),
+        "equations": [
+            {"label": each.label, "where": each.where, "says": each.says} for each in paper.formulas
+        ],
     }
 
 
@@ -165,6 +187,11 @@ def impossible_rows(entry: Mapping[str, Any]) -> list[Json]:
         for row in entry["audit"]
         if row["grade"] == Grade.IMPOSSIBLE and row.get("condition") is None
     ]
+
+
+def cell_counts(entry: Mapping[str, Any]) -> Counter[str]:
+    """Return how many numbers of a paper's tables have each verdict, each by itself."""
+    return Counter(finding["verdict"] for finding in entry["findings"] if finding["table"])
 
 
 def verdict_counts(entry: Mapping[str, Any]) -> Counter[str]:

@@ -38,6 +38,7 @@ ROOMS = (
     _room(
         "", "At a glance",
         ("summary", "summary", "summary"),
+        ("times", "times", "times side by side"),
         ("heat_map", "at-a-glance", "at a glance"),
         ("claims", "claims", "claims of the text"),
         ("contents", "rooms", "rooms"),
@@ -70,6 +71,8 @@ ROOMS = (
 DOOR = ROOMS[0]
 _ROOM_OF = {section.name: room for room in ROOMS for section in room.sections}
 _ANCHOR_OF = {section.name: section.anchor for room in ROOMS for section in room.sections}
+OURS = "repro"
+"""What each page names as its generator: so a page that we wrote is told from another's."""
 _OWN = ("index", "verdicts", "glossary", VERDICTS)  # names of pages that are of no one paper
 
 
@@ -121,6 +124,15 @@ def check_names(keys: Iterable[str]) -> None:
             if owner != key:
                 message = f"{key} and {owner} would both be written to {page}: give it another key"
                 raise InputError(message)
+
+
+def check_apart(files: Iterable[str], more: Iterable[str], key: str) -> None:
+    """Raise InputError where files of a paper would replace those of another, whatever the case."""
+    taken = {name.casefold() for name in files}
+    for name in more:
+        if name.casefold() in taken:
+            message = f"{key} and another paper would both be written to {name}: rename one of them"
+            raise InputError(message)
 
 
 def neighbours(rooms: Iterable[Room]) -> Iterator[tuple[Room | None, Room, Room | None]]:

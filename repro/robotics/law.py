@@ -1,13 +1,14 @@
 """What a rest-to-rest motion asks of the law that its joints follow."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from repro.errors import DeclarationError
+from repro.robotics.motion_checks import shown
 
 Vector = NDArray[np.float64]
 SAMPLES = 1001
@@ -42,7 +43,7 @@ def check_law(law: Any, derivatives: Mapping[int, str]) -> None:  # noqa: ANN401
     share = np.linspace(0.0, 1.0, SAMPLES)
     _check_ends(called, _sampled(law, share, 0))
     for m, kind in derivatives.items():
-        factor = law.peak_factor(m)
+        factor = _asked(called, f"peak_factor({m})", law.peak_factor, m)
         if not (isinstance(factor, int | float | np.floating) and math.isfinite(factor)):
             message = (
                 f"law {called}: the peak factor of its {kind} is {factor!r}, so no duration keeps "
@@ -67,14 +68,28 @@ def check_law(law: Any, derivatives: Mapping[int, str]) -> None:  # noqa: ANN401
 
 
 def _sampled(law: Law, share: Vector, derivative: int) -> Vector:
-    curve = np.asarray(law.sample(share, derivative), dtype=np.float64)
+    called = type(law).__name__
+    curve: Vector = _asked(called, f"sample(share, {derivative})", _curve, law, share, derivative)
     if curve.shape != share.shape or np.isnan(curve).any():
         message = (
-            f"law {type(law).__name__}: sample(share, {derivative}) must return a number for each "
-            f"share, shape {share.shape}, not {' '.join(f'{curve!r:.60}'.split())}"
+            f"law {called}: sample(share, {derivative}) must return a number for each share, "
+            f"shape {share.shape}, not {shown(curve)}"
         )
         raise DeclarationError(message)
     return curve
+
+
+def _curve(law: Law, share: Vector, derivative: int) -> Vector:
+    return np.asarray(law.sample(share, derivative), dtype=np.float64)
+
+
+def _asked(called: str, what: str, ask: Callable[..., Any], *arguments: object) -> Any:  # noqa: ANN401
+    """Return what a law answers; DeclarationError where it raises instead."""
+    try:
+        return ask(*arguments)
+    except Exception as error:
+        message = f"law {called}: {what} raises {type(error).__name__}: {shown(str(error))}"
+        raise DeclarationError(message) from error
 
 
 def _check_ends(called: str, curve: Vector) -> None:

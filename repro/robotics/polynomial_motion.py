@@ -8,7 +8,7 @@ between segments the motion rests.
 """
 
 import math
-from collections.abc import Sequence
+import operator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
@@ -19,13 +19,31 @@ from numpy.typing import NDArray
 
 from repro.errors import DeclarationError
 from repro.robotics.bsplines import solve
-from repro.robotics.motion_checks import Rows, check_motion, checked_durations, numbers, rows
-from repro.robotics.polynomials import RestToRestLaw, bernstein
+from repro.robotics.motion_checks import (
+    Rows,
+    check_limit,
+    check_motion,
+    checked_durations,
+    numbers,
+    rows,
+)
+from repro.robotics.polynomials import bernstein, check_degree
 
 Vector = NDArray[np.float64]
 Rationals = tuple[Fraction, ...]
 ROOTS = 12  # coefficients of which a polynomial's roots are found to the last digits
 FINE, ZOOMS = 100, 4  # samples of a polynomial of more, and how often its extremes are approached
+COMPUTED = (1e-60, 1e60)  # s: durations whose cubes doubles hold, and what is divided by them
+_TO_POWERS = [
+    np.array(
+        [
+            [math.comb(n, i) * math.comb(i, k) * (-1.0) ** (i - k) for k in range(n + 1)]
+            for i in range(n + 1)
+        ]
+    )
+    for n in range(ROOTS)
+]
+"""From Bernstein coefficients to those of 1, τ, τ², …, by degree."""
 KINDS = {0: "range", 1: "velocity", 2: "acceleration", 3: "jerk"}
 
 
@@ -51,13 +69,18 @@ class PolynomialMotion:
 
     def __post_init__(self) -> None:
         """Raise DeclarationError for points, limits, velocities or times that cannot be."""
-        RestToRestLaw(self.degree)
+        check_degree(self.degree)
         put: Any = object.__setattr__
         put(self, "waypoints", rows(self.waypoints, called="waypoints"))
         put(self, "durations", numbers(self.durations, called="durations"))
         check_motion(self.waypoints, {}, self.durations, called="waypoints")
+        if self.durations[0] < COMPUTED[0] or self.durations[1] > COMPUTED[1]:
+            message = (
+                f"durations {self.durations}: computed are {COMPUTED[0]:g} to {COMPUTED[1]:g} s"
+            )
+            raise DeclarationError(message)
         for kind in KINDS.values():
-            if getattr(self, kind) is not None:
+            if getattr(self, kind) is not None or kind in {"velocity", "acceleration"}:
                 put(self, kind, self._pairs(kind))
         for name in ("start", "end"):
             put(self, name, self._speeds(name))
@@ -72,6 +95,8 @@ class PolynomialMotion:
                 rule = "lowest < highest" if kind == "range" else "lowest < 0 < highest"
                 message = f"{kind} of joint {joint}: ({low!r}, {high!r}) must be {rule}"
                 raise DeclarationError(message)
+            for limit in (low, high) if kind != "range" else ():
+                check_limit(limit, called=f"{kind} of joint {joint}")
             places = enumerate((point[joint - 1] for point in self.waypoints), start=1)
             for place, value in places if kind == "range" else ():
                 if not low <= value <= high:
@@ -114,18 +139,25 @@ class PolynomialMotion:
         pairs = getattr(self, KINDS[derivative])
         return (-math.inf, math.inf) if pairs is None else pairs[joint]
 
-    def curve(self, segment: int, joint: int) -> tuple[Rationals, Rationals]:
-        """Return the coefficients in τ, exactly: those that stand alone, and those times T."""
-        shape, hook = shapes(self.degree)
+    def moves(self, segment: int, joint: int) -> tuple[Fraction, Fraction, Fraction, Fraction]:
+        """Return start and end of a joint in a segment, and its velocities there, exactly."""
         start, end = (Fraction(self.waypoints[segment + k][joint]) for k in (0, 1))
-        still = [(end - start) * entry for entry in shape]
-        still[0] += start
-        first = Fraction(self.start[joint]) if segment == 0 and self.start else Fraction(0)
-        last = segment == self.segments - 1
-        final = Fraction(self.end[joint]) if last and self.end else Fraction(0)
-        back = mirrored(hook)
-        moving = (first * a - final * b for a, b in zip(hook, back, strict=True))
-        return tuple(still), tuple(moving)
+        first = self.start[joint] if segment == 0 and self.start else 0.0
+        last = self.end[joint] if segment == self.segments - 1 and self.end else 0.0
+        return start, end, Fraction(first), Fraction(last)
+
+    def value(
+        self, segment: int, joint: int, derivative: int, share: Fraction
+    ) -> tuple[Fraction, Fraction]:
+        """Return a derivative at τ times T^derivative, exactly: what stands alone and by T."""
+        start, end, first, last = self.moves(segment, joint)
+        powers = [share**power for power in range(self.degree + 1 - derivative)]
+        shape, hook, back = (
+            sum(map(operator.mul, derived(p, derivative), powers), Fraction(0))
+            for p in (*shapes(self.degree), _back(self.degree))
+        )
+        still = (end - start) * shape + (start if derivative == 0 else 0)
+        return still, first * hook - last * back
 
     def obeys(self, durations: Vector) -> bool:
         """Return whether a motion keeps every limit, in doubles, at its turning points."""
@@ -167,26 +199,51 @@ def derived(p: Rationals, order: int) -> Rationals:
     return tuple(math.perm(power, order) * entry for power, entry in enumerate(p))[order:]
 
 
+@cache
+def _back(degree: int) -> Rationals:
+    """Return the coefficients of r(1 - τ)."""
+    return mirrored(shapes(degree)[1])
+
+
+@cache
+def _bernstein_shapes(degree: int, derivative: int) -> tuple[Rationals, ...]:
+    """Return the Bernstein coefficients of a derivative of s(τ), r(τ) and r(1 - τ)."""
+    return tuple(tuple(bernstein(derived(p, derivative))) for p in (*shapes(degree), _back(degree)))
+
+
+def bernstein_curve(
+    problem: PolynomialMotion, segment: int, joint: int, derivative: int, time: Fraction
+) -> list[Fraction]:
+    """Return the Bernstein coefficients of a derivative times T^derivative, exactly."""
+    start, end, first, last = problem.moves(segment, joint)
+    by = (end - start, time * first, -time * last)
+    used = [(k, factor) for k, factor in enumerate(by) if factor]
+    base = start if derivative == 0 else Fraction(0)
+    return [
+        sum((factor * parts[k] for k, factor in used), base)
+        for parts in zip(*_bernstein_shapes(problem.degree, derivative), strict=True)
+    ]
+
+
+def _doubles(
+    problem: PolynomialMotion, segment: int, joint: int, derivative: int, time: float
+) -> Vector:
+    """Return Bernstein coefficients of a derivative, from which doubles lose nothing."""
+    exactly = Fraction(time)
+    scale = exactly**derivative
+    curve = bernstein_curve(problem, segment, joint, derivative, exactly)
+    return np.array([entry / scale for entry in curve], dtype=np.float64)
+
+
 def extremes(
     problem: PolynomialMotion, segment: int, joint: int, derivative: int, time: float
 ) -> tuple[float, float, float, float]:
     """Return least and greatest value of a derivative in a segment, and the τ of both."""
-    still, moving = problem.curve(segment, joint)
-    exactly = Fraction(time)
-    curve = [
-        (a + exactly * b) / exactly**derivative
-        for a, b in zip(derived(still, derivative), derived(moving, derivative), strict=True)
-    ]
-    coefficients = _bernstein(curve)
-    places = _turns(curve, coefficients)
+    coefficients = _doubles(problem, segment, joint, derivative, time)
+    places = _turns(coefficients)
     values = at_shares(coefficients, places)
     low, high = int(values.argmin()), int(values.argmax())
     return float(values[low]), float(values[high]), float(places[low]), float(places[high])
-
-
-def _bernstein(curve: Sequence[Fraction]) -> Vector:
-    """Return Bernstein coefficients, from which doubles lose nothing at any degree."""
-    return np.array(bernstein(curve), dtype=np.float64)
 
 
 def at_shares(coefficients: Vector, share: Vector) -> Vector:
@@ -197,11 +254,12 @@ def at_shares(coefficients: Vector, share: Vector) -> Vector:
     return np.asarray(rest[0])
 
 
-def _turns(curve: Sequence[Fraction], coefficients: Vector) -> Vector:
+def _turns(coefficients: Vector) -> Vector:
     """Return both ends and where the curve turns: by roots, or of a high degree as sampled."""
     ends = np.array([0.0, 1.0])
-    if len(curve) <= ROOTS:
-        slope = np.polynomial.Polynomial([float(entry) for entry in curve]).deriv().trim()
+    if len(coefficients) <= ROOTS:
+        slope = np.polynomial.Polynomial(_TO_POWERS[len(coefficients) - 1] @ coefficients).deriv()
+        slope = slope.trim()
         turns = slope.roots().real if slope.degree() > 0 else np.zeros(0)
         return np.concatenate([ends, turns[(turns > 0.0) & (turns < 1.0)]])
     places = np.linspace(0.0, 1.0, FINE + 1)
@@ -222,9 +280,7 @@ def motion(
     ends = np.concatenate([[0.0], np.cumsum(durations)])
     values = np.empty((problem.segments, samples, problem.joints))
     for k, j in np.ndindex(problem.segments, problem.joints):
-        still, moving = (derived(p, derivative) for p in problem.curve(k, j))
-        time = Fraction(float(durations[k]))
-        curve = [(a + time * b) / time**derivative for a, b in zip(still, moving, strict=True)]
-        values[k, :, j] = at_shares(_bernstein(curve), share)
+        coefficients = _doubles(problem, k, j, derivative, float(durations[k]))
+        values[k, :, j] = at_shares(coefficients, share)
     times = ends[:-1, None] + share * durations[:, None]
     return times.ravel(), values.reshape(-1, problem.joints)

@@ -10,12 +10,20 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from numbers import Integral
+from typing import Any
 
 import numpy as np
 from numpy.polynomial import Polynomial
 from numpy.typing import NDArray
 
 from repro.errors import InputError
+from repro.robotics.motion_checks import shown
+
+HIGHEST = 99  # degree: exact arithmetic takes seconds there
+IN_DOUBLES = (
+    13  # degree: beyond it the peaks of the polynomial in doubles are off by 1e-11 and more
+)
 
 
 @dataclass(frozen=True)
@@ -25,9 +33,13 @@ class RestToRestLaw:
     degree: int
 
     def __post_init__(self) -> None:
-        """Raise InputError unless the degree is odd and at least 3."""
-        if self.degree < 3 or self.degree % 2 == 0:
-            message = f"degree {self.degree}: a rest-to-rest polynomial has degree 3, 5, 7, …"
+        """Raise InputError unless the degree is odd and from 3 to IN_DOUBLES."""
+        check_degree(self.degree)
+        if self.degree > IN_DOUBLES:
+            message = (
+                f"degree {self.degree}: doubles carry a law of degree {IN_DOUBLES} at most; a "
+                f"PolynomialMotion may have any odd degree up to {HIGHEST}"
+            )
             raise InputError(message)
 
     @cached_property
@@ -55,6 +67,16 @@ class RestToRestLaw:
         """Return s^(m) at normalised times `share`, same shape."""
         curve = self.polynomial.deriv(derivative) if derivative else self.polynomial
         return np.asarray(curve(share))
+
+
+def check_degree(degree: Any) -> None:  # noqa: ANN401 (checked here)
+    """Raise InputError unless a degree is an odd whole number from 3 to HIGHEST."""
+    whole = isinstance(degree, Integral) and not isinstance(degree, bool)
+    if not whole or not 3 <= degree <= HIGHEST or degree % 2 == 0:
+        message = (
+            f"degree {shown(degree)}: a rest-to-rest polynomial has degree 3, 5, 7, …, {HIGHEST}"
+        )
+        raise InputError(message)
 
 
 def bernstein(p: Sequence[Fraction]) -> list[Fraction]:

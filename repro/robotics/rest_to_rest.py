@@ -13,7 +13,14 @@ from numpy.typing import NDArray
 from repro.determinism.compiled import jit
 from repro.errors import DeclarationError
 from repro.robotics.law import Law, check_law
-from repro.robotics.motion_checks import check_motion, checked_durations, numbers, rows
+from repro.robotics.motion_checks import (
+    check_motion,
+    check_word,
+    checked_durations,
+    number,
+    numbers,
+    rows,
+)
 
 Vector = NDArray[np.float64]
 Handling = Literal[
@@ -129,15 +136,15 @@ class MinimumTime:
 
         Arrays and lists are taken where tuples are meant.
         """
-        limited = {m: kind for m, kind in DERIVATIVES.items() if getattr(self, kind) is not None}
+        free = "jerk" if self.jerk is None else ""
+        limited = {m: kind for m, kind in DERIVATIVES.items() if kind != free}
         object.__setattr__(self, "waypoints", rows(self.waypoints, called="waypoints"))
         for name in (*limited.values(), "durations", "penalties"):
             object.__setattr__(self, name, numbers(getattr(self, name), called=name))
         kinds = {kind: getattr(self, kind) for kind in limited.values()}
         check_motion(self.waypoints, kinds, self.durations, called="waypoints")
-        if self.handling not in get_args(Handling):
-            message = f"handling {self.handling!r}: known are {', '.join(get_args(Handling))}"
-            raise DeclarationError(message)
+        check_word(self.handling, get_args(Handling), called="handling")
+        object.__setattr__(self, "weight", number(self.weight, called="weight"))
         if len(self.penalties) != 3:
             message = (
                 f"penalties {self.penalties}: there must be three, of velocity, acceleration "
@@ -215,9 +222,10 @@ class MinimumTime:
     def obeys(self, durations: Vector) -> bool:
         """Return whether a motion keeps every limit, in doubles and as a search is told."""
         times = checked_durations(durations, self.segments)[:, None, None]
-        powers = np.concatenate([times, times * times, times * times * times], axis=1)
         asked = self.factors[:, None] * self.distances[:, None, :]
-        return bool((asked / (powers * self.limits) <= 1.0).all())
+        with np.errstate(all="ignore"):  # beyond doubles nothing obeys
+            powers = np.concatenate([times, times * times, times * times * times], axis=1)
+            return bool((asked / (powers * self.limits) <= 1.0).all())
 
     def quantity(self, name: str, points: Vector) -> Vector:
         """Return "total" or "duration k" of motions `points` (…, segments), shape (…), in s.

@@ -16,7 +16,14 @@ from numpy.typing import NDArray
 from repro.determinism.compiled import jit
 from repro.errors import DeclarationError, InputError
 from repro.robotics.bsplines import Ends, Matrix, sample, span_weights, spans
-from repro.robotics.motion_checks import check_motion, checked_durations, numbers, rows
+from repro.robotics.motion_checks import (
+    as_doubles,
+    check_motion,
+    check_word,
+    checked_durations,
+    numbers,
+    rows,
+)
 from repro.robotics.spline_limits import fastest, hardest, largest_turning, least, turning
 
 Vector = NDArray[np.float64]
@@ -151,9 +158,7 @@ class MinimumTimeSpline:
         kinds = {"velocity": self.velocity, "acceleration": self.acceleration}
         check_motion(self.nodes, kinds, self.durations, called="nodes")
         for name, known in (("ends", Ends), ("time_ends", Ends), ("handling", Handling)):
-            if getattr(self, name) not in get_args(known):
-                message = f"{name} {getattr(self, name)!r}: known are {', '.join(get_args(known))}"
-                raise DeclarationError(message)
+            check_word(getattr(self, name), get_args(known), called=name)
 
     @property
     def segments(self) -> int:
@@ -196,14 +201,13 @@ class MinimumTimeSpline:
         The first is the greatest velocity of any joint over its limit, the second the same of the
         acceleration; infinite where time runs backwards.
         """
-        if np.shape(points)[-1:] != (self.segments,):
-            message = (
-                f"durations of shape {np.shape(points)}: the last side must be {self.segments}"
-            )
+        points = as_doubles(points, called="durations")
+        if points.shape[-1:] != (self.segments,):
+            message = f"durations of shape {points.shape}: the last side must be {self.segments}"
             raise InputError(message)
-        flat = np.ascontiguousarray(np.reshape(points, (-1, self.segments)), dtype=np.float64)
+        flat = np.ascontiguousarray(np.reshape(points, (-1, self.segments)))
         peaks: Vector = _peak_shares(flat, self.data)
-        return peaks.reshape(*np.shape(points)[:-1], 2)
+        return peaks.reshape(*points.shape[:-1], 2)
 
     def obeys(self, durations: Vector) -> bool:
         """Return whether a motion keeps every limit, in doubles and as a search is told."""

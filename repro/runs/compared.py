@@ -7,9 +7,14 @@ from pathlib import Path
 from typing import Any
 
 from repro.errors import InputError
+from repro.model.experiment import Experiment
 from repro.model.paper import Paper
+from repro.optimisers.random_search import RandomSearch
 from repro.optimisers.users_search import Entrant
+from repro.runs.moved_optima import SHARES, centred, shift_name, shifted
 from repro.runs.plan import Task, plan
+from repro.runs.plan import tasks_of as tasks_of_experiments
+from repro.runs.studies import study_name
 
 NAME = "compared.json"
 
@@ -58,6 +63,24 @@ def narrowed(
     return replace(bare, experiments=kept)
 
 
+def moved(own: Paper) -> tuple[Experiment, ...]:
+    """Return a narrowed paper's experiments with optima moved aside, for its searches alone."""
+    return tuple(
+        replace(
+            shifted(experiment, share, floor=RandomSearch()),
+            name=study_name(experiment.name, shift_name(share)), algorithms=experiment.algorithms,
+        )
+        for experiment in own.experiments
+        if centred(experiment)
+        for share in SHARES
+    )  # fmt: skip
+
+
+def moved_tasks(own: Paper) -> tuple[Task, ...]:
+    """Return the runs of a narrowed paper with optima moved aside, once over."""
+    return tuple(tasks_of_experiments(own, [(experiment, 1) for experiment in moved(own)]))
+
+
 def remember(store: Path, found: Sequence[Compared]) -> None:
     """Keep beside a store what was compared; the latest of one name is what is known of it."""
     known = {(each.paper, each.name): each for each in (*recalled(store), *found)}
@@ -102,4 +125,5 @@ def tasks_of(
             declared[each.paper], {each.name: found}, experiments=each.experiments,
             problems=each.problems, runs=each.runs,
         )  # fmt: skip
-        yield from (t for t in plan([own], each.repeats) if t.algorithm == each.name)
+        yield from plan([own], each.repeats, protocol_only=True)
+        yield from moved_tasks(own)

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, NoReturn
 import pytest
 
 from tests.browser.made_pages import make_pages
+from tests.made_once import made_once
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
@@ -85,8 +86,8 @@ def missing(what: str) -> NoReturn:
 
 @pytest.fixture(scope="session")
 def reports(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Return the folder of pages."""
-    return make_pages(tmp_path_factory.mktemp("pages"))
+    """Return the folder of pages, which no test changes."""
+    return made_once(tmp_path_factory, "browsed", make_pages) / "reports"
 
 
 @pytest.fixture

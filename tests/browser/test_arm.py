@@ -33,7 +33,7 @@ def address(tmp_path_factory: pytest.TempPathFactory) -> str:
         write_pages(
             store, [SHOWING_AN_ARM], plan([SHOWING_AN_ARM], 1), folder, [SHOWING_AN_ARM.key]
         )
-    return (folder / "doe2021.html").as_uri()
+    return (folder / "doe2021.arm.html").as_uri()
 
 
 @pytest.fixture(scope="module")

@@ -10,7 +10,18 @@ from typing import NamedTuple
 import pytest
 
 ROOT = Path(__file__).parents[2]
-COMMAND = "import sys; from repro.__main__ import main; sys.exit(main())"  # as the script does
+COMMANDS = """
+import io, json, sys
+from contextlib import redirect_stderr, redirect_stdout
+from repro.__main__ import main
+told = []
+for call in json.loads(sys.argv[1]):
+    with redirect_stdout(io.StringIO()) as out, redirect_stderr(io.StringIO()) as err:
+        code = main(call)
+    told.append((code, out.getvalue(), err.getvalue()))
+print(json.dumps(told))
+"""
+RUN = ("reproduce", "travels2019", "--repeats", "1", "--workers", "1", "--protocol-only")
 
 MODULE = '''
 """A made-up paper that an installed package brings along."""
@@ -68,18 +79,18 @@ class Installed(NamedTuple):
     site: Path
     folder: Path
 
-    def repro(self, *arguments: str) -> Said:
-        """Return what a command says that is called in the empty folder."""
+    def repro(self, *calls: tuple[str, ...]) -> list[Said]:
+        """Return what each command says, one after another in one process in the empty folder."""
         found = subprocess.run(
-            [sys.executable, "-c", COMMAND, *arguments],
+            [sys.executable, "-c", COMMANDS, json.dumps(calls)],
             cwd=self.folder,
             env=os.environ | {"PYTHONPATH": f"{self.site}{os.pathsep}{ROOT}"},
             capture_output=True,
             text=True,
-            check=False,
-            timeout=300,
+            check=True,
+            timeout=900,
         )
-        return Said(found.returncode, found.stdout, found.stderr)
+        return [Said(*each) for each in json.loads(found.stdout)]
 
 
 @pytest.fixture
@@ -102,10 +113,12 @@ def installed(tmp_path: Path) -> Installed:
 def test_an_installed_paper_is_listed_audited_and_reproduced_by_its_key(
     installed: Installed,
 ) -> None:
-    listed = installed.repro("list", "travels2019")
-    audited = installed.repro("audit", "travels2019")
-    reproduced = installed.repro("reproduce", "travels2019", "--repeats", "1", "--workers", "1")
-    again = installed.repro("list", "travels2019", "--repeats", "1", "--json")
+    listed, audited, reproduced, again = installed.repro(
+        ("list", "travels2019"),
+        ("audit", "travels2019"),
+        RUN,
+        ("list", "travels2019", "--repeats", "1", "--json"),
+    )
 
     assert [each.code for each in (listed, audited, reproduced, again)] == [0, 0, 0, 0]
     assert listed.out.startswith("travels2019: Travels\n  tables: Table 1; claims: 3\n")
@@ -120,19 +133,19 @@ def test_an_installed_paper_is_listed_audited_and_reproduced_by_its_key(
 def test_a_module_that_it_reads_is_followed_into_the_keys_of_its_runs(
     installed: Installed,
 ) -> None:
-    installed.repro("reproduce", "travels2019", "--repeats", "1", "--workers", "1")
+    installed.repro(RUN)
     (installed.site / "travels" / "steps.py").write_text("REACH = 0.02\n", encoding="utf-8")
 
-    said = installed.repro("list", "travels2019", "--repeats", "1")
+    (said,) = installed.repro(("list", "travels2019", "--repeats", "1"))
 
     assert "0 runs done, 3 missing" in said.out
     assert "travels.steps" in said.out
 
 
 def test_its_broken_sibling_is_one_line_and_stops_only_itself(installed: Installed) -> None:
-    both = installed.repro("list", "travels2019", "lost2019")
-    alone = installed.repro("list", "lost2019")
-    sound = installed.repro("list", "travels2019")
+    both, alone, sound = installed.repro(
+        ("list", "travels2019", "lost2019"), ("list", "lost2019"), ("list", "travels2019")
+    )
 
     assert both.out.startswith("travels2019: Travels\n")
     assert alone.out == ""

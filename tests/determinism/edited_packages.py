@@ -1,6 +1,5 @@
 """A small package of a user's own that tests write, edit and load again in one process."""
 
-import functools
 import importlib
 import sys
 from collections.abc import Iterator, Mapping
@@ -9,18 +8,9 @@ from typing import Any
 
 import pytest
 
-from repro.determinism import definitions, held_values, source_digests, source_files, statements
+from repro.determinism.read_anew import read_anew as forget
 
-_READERS = (definitions, held_values, source_digests, source_files, statements)
-
-
-def forget() -> None:
-    """Let all sources be read anew, as another process would."""
-    for module in _READERS:
-        for value in vars(module).values():
-            if isinstance(value, functools._lru_cache_wrapper):
-                value.cache_clear()
-    importlib.invalidate_caches()
+__all__ = ["Package", "forget"]
 
 
 class Package:

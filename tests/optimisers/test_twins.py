@@ -5,7 +5,7 @@ from dataclasses import asdict, replace
 import numpy as np
 import pytest
 
-from repro.determinism.draws import normal, state_from, uniform
+from repro.determinism.draws import fill, normal, state_from, uniform
 from repro.optimisers import DBO, DE, GA, GSA, GWO, PSO, SMA, WOA, HybridWOA, RandomSearch, SlimeWOA
 from repro.optimisers.slime_mould import _weigh
 from tests.additions import ADDITIONS, SLIME, TOGETHER
@@ -150,7 +150,9 @@ def test_slime_mould_weights_stay_within_log10_of_two(base: float, spread: float
     order = np.argsort(costs, kind="stable")
     W = np.empty((4, 200))
 
-    _weigh(W, costs, order, state_from(np.random.default_rng(1)))
+    draws = np.empty(W.size)
+    fill(draws, np.empty(W.size, dtype=np.uint64), state_from(np.random.default_rng(1)))
+    _weigh(W, costs, order, draws)
 
     state = state_from(np.random.default_rng(1))
     assert W.tolist() == _weights(costs.tolist(), order.tolist(), 200, lambda: uniform(state))

@@ -178,3 +178,36 @@ def wrapped(cost, bounds, budget, rng):
 """)
 
     assert run("wrapped").evaluations == 200
+
+
+THREADED = """
+import multiprocessing, threading
+def over(cost, bounds, budget, rng):
+    points = rng.uniform(*bounds.T, size=(budget, len(bounds)))
+    threads = [threading.Thread(target=lambda: [cost(x) for x in points]) for _ in range(3)]
+    for thread in threads: thread.start()
+    for thread in threads: thread.join()
+def sent(cost, bounds, budget, rng):
+    with multiprocessing.get_context("fork").Pool(1) as pool:
+        pool.map(cost, [bounds[:, 0]])
+def held(cost, bounds, budget, rng):
+    import cloudpickle
+    cloudpickle.dumps(cost)
+"""
+
+
+def test_threads_that_ask_for_more_end_without_a_word(
+    folder: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    (folder / "searches.py").write_text(THREADED)
+
+    assert run("over").evaluations == 200
+    assert capfd.readouterr().err == ""
+
+
+@pytest.mark.parametrize("name", ["sent", "held"])
+def test_cost_that_is_sent_to_another_process_is_told_in_a_line(folder: Path, name: str) -> None:
+    (folder / "searches.py").write_text(THREADED)
+
+    with pytest.raises(InputError, match="asked for the cost in another process, where it cannot"):
+        run(name)

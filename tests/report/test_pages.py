@@ -162,9 +162,13 @@ def test_flag_marks_what_no_runs_whatever_give_and_nothing_else(pages: dict[str,
     ]
     assert pages["doe2021.tables.html"].count(" data-marked") == 2
     assert "<dt>audit: impossible</dt>" in pages["doe2021.tables.html"]
-    assert re.findall(r"<td>(impossible.*?)</td>", pages["doe2021.audit.html"]) == [
-        *("impossible ⚑", "impossible ⚑", "impossible")
+    own = pages["doe2021.audit.html"]
+    assert re.findall(r'<h3 id="audit-\w+">(.*?)</h3>', own) == [
+        "⚑ 2 rows: cannot be, whatever was run",
+        "1 row: cannot be if a condition holds",
     ]
+    reasons = re.findall(r"<h4>(.*?)</h4>", own)
+    assert [reason.startswith("⚑") for reason in reasons] == [True, True, False]
     for name in ("index.html", "verdicts.md"):
         flagged = r'<td data-name="⚑ impossible">2</td>|\| 2 \| 2 \|'
         assert re.search(flagged, pages[name]), name

@@ -1,11 +1,17 @@
+import dataclasses
+import datetime as dt
 import itertools
+from collections.abc import Callable
+from decimal import Decimal
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
 import pytest
 
+import repro
 from repro.errors import DeclarationError, InputError, ReproError
-from repro.robotics import MinimumTime, MinimumTimeSpline, cubic, peak, quintic
+from repro.robotics import MinimumTime, MinimumTimeSpline, PolynomialMotion, cubic, peak, quintic
 from repro.robotics.motion_checks import check_motion
 from repro.robotics.rest_to_rest import motion, peaks
 from repro.robotics.spline_motion import motion as spline_motion
@@ -170,3 +176,73 @@ def test_every_small_motion_is_made_or_refused_by_name() -> None:
             continue
         made += 1
     assert made == 6  # two different finite points, velocity 1, durations (1, 1)
+
+
+class Unspeakable:
+    """What not even shows itself."""
+
+    def __repr__(self) -> str:
+        """Raise."""
+        message = "no repr"
+        raise RuntimeError(message)
+
+
+HOSTILE: tuple[object, ...] = (
+    *(None, True, 0, 3.0, -1, 10**400, 10**5000, 1e-300, float("nan"), float("inf"), 2 + 1j),
+    *("fast", b"12", "", "still", object(), Unspeakable(), dict, {1: 2, 3: 4}, {1.0, 2.0}),
+    *((), [], [[]], [1], [1.0, 2.0, 3.0], [10**400, 1], [1e-300, 1.0], [None, 1], ["1", "2"]),
+    *([[1, 2], [3]], [[1, 2]] * 2, [[[1, 2]], [[3, 4]]], iter([1.0, 2.0]), itertools.count()),
+    *(np.array(3.0), np.ones(2), np.ones((2, 2)), np.ones((2, 2, 2)), np.zeros((0, 2))),
+    *(np.array(["a", "b"]), np.array([None, 1]), np.array([1j, 2]), np.ones(2, dtype=bool)),
+    *(Fraction(10**400, 3), [Fraction(1, 10**400), 1], Decimal(1), [Decimal(1), Decimal(2)]),
+    *(range(2), dt.timedelta(1), lambda *_: 1.0, quintic, type(quintic), 2**63, -(10**400)),
+)
+MADE: dict[type, dict[str, Any]] = {
+    MinimumTime: {"waypoints": POINTS, "law": quintic, **GOOD},
+    MinimumTimeSpline: {"nodes": POINTS, **GOOD},
+    PolynomialMotion: {
+        "waypoints": POINTS, "degree": 5, "durations": (0.1, 9.0),
+        "velocity": ((-1.0, 1.0),) * 2, "acceleration": ((-1.0, 1.0),) * 2,
+    },
+}  # fmt: skip
+
+
+def fault(call: Callable[[], object]) -> str:
+    """Return what is told of a call that is refused, nothing of one that is not."""
+    try:
+        call()
+    except ReproError as error:
+        return str(error) or "no word"
+    return ""
+
+
+@pytest.mark.parametrize("value", HOSTILE, ids=lambda value: type(value).__name__)
+@pytest.mark.parametrize(
+    ("kind", "name"),
+    [(kind, field.name) for kind in MADE for field in dataclasses.fields(kind)],
+    ids=lambda part: getattr(part, "__name__", part),
+)
+def test_whatever_a_field_holds_is_taken_or_one_clear_error(
+    kind: type, name: str, value: object
+) -> None:
+    told = fault(lambda: kind(**{**MADE[kind], name: value}))
+    if told:
+        assert "\n" not in told
+        assert len(told) < 300
+        assert name.rstrip("s") in told or "number of joints" in told or "limits must be" in told
+        return
+    found = repro.certify(kind(**{**MADE[kind], name: value}), seconds=0.2)
+    assert found.minimum is None or found.minimum > 0.0
+
+
+@pytest.mark.parametrize("value", HOSTILE, ids=lambda value: type(value).__name__)
+def test_whatever_a_call_holds_is_taken_or_one_clear_error(value: Any) -> None:  # noqa: ANN401
+    told = [
+        fault(lambda: repro.certify(value)),
+        fault(lambda: repro.certify(resting(), seconds=value)),
+        fault(lambda: repro.certify(resting(), title=value)),
+        fault(lambda: resting().obeys(value)),
+        fault(lambda: spline().obeys(value)),
+    ]
+    assert told[0]
+    assert all("\n" not in each and len(each) < 300 for each in told)

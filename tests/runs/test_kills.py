@@ -19,7 +19,7 @@ from tests.damages import LONG
 from tests.small_papers import MODULE
 
 ROOT = Path(__file__).parents[2]
-KILLS = 100 if LONG else 5
+KILLS = 100 if LONG else 3
 KILLS_PER_LIFE = 10
 PROGRAM = textwrap.dedent("""
     import papers, runpy, sys

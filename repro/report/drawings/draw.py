@@ -1,5 +1,6 @@
 """The counterpart of a paper's figure: a drawing, what it says in words, and its data."""
 
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
@@ -18,6 +19,7 @@ from repro.report.drawings.svg import inline_svg
 from repro.report.drawings.tool_path import tool_path_plot
 
 NOTHING = "No runs yet"
+_FIRST = re.compile(r"[.:;] (?=\D)")  # the end of what is said before numbers are
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -36,6 +38,11 @@ class Drawing:
     frame: pd.DataFrame = field(compare=False)  # a frame is equal to none as a whole
     scene: Scene | None = None
     notes: tuple[str, ...] = ()
+
+    @property
+    def caption(self) -> str:
+        """What is drawn, as one sentence: the description up to its first numbers."""
+        return _FIRST.split(self.description, maxsplit=1)[0].removesuffix(".") + "."
 
 
 def draw(

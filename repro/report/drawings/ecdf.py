@@ -24,14 +24,15 @@ def ecdf_plot(experiment: Experiment, evidence: Evidence) -> Plot:
     """Return, for each algorithm, the share of (problem, run, target) that is reached by then."""
     names = [n for n in experiment.algorithms if any(cell[2] == n for cell in evidence.runs)]
     shares = {name: reached(experiment, evidence, name) for name in names}
-    steps = np.unique(
-        np.linspace(0, len(next(iter(shares.values()))) - 1, CURVE_POINTS).round().astype(int)
-    )
+    steps = {  # at another budget a search has other iterations
+        name: np.unique(np.linspace(0, len(share) - 1, CURVE_POINTS).round().astype(int))
+        for name, share in shares.items()
+    }
     styles = {name: line_style(list(experiment.algorithms).index(name)) for name in names}
     legend = [Line2D([], [], label=name, **styles[name]) for name in names]
     canvas, (axes,) = panels_two_abreast(1, height=2.2, legend=legend, gaps=(0.6, 0.6))
     for name in names:
-        axes.plot(steps + 1.0, shares[name][steps], **styles[name])
+        axes.plot(steps[name] + 1.0, shares[name][steps[name]], **styles[name])
     axes.set(ylim=(0.0, 1.02), xlabel="iteration", ylabel="share of targets")
     ends = ", ".join(f"{name} {shares[name][-1]:.2f}" for name in names)
     return Plot(
@@ -39,7 +40,7 @@ def ecdf_plot(experiment: Experiment, evidence: Evidence) -> Plot:
         description=f"Share of {TARGETS} targets a problem, between the worst and the best that is "
         f"shown, that runs have reached; at the end: {ends}.",
         frame=pd.DataFrame(
-            [(name, k + 1, shares[name][k]) for name in names for k in steps],
+            [(name, k + 1, shares[name][k]) for name in names for k in steps[name]],
             columns=list(HEADINGS),
         ),
     )

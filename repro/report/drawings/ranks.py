@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from textwrap import fill
 
 import pandas as pd
 from matplotlib.axes import Axes
@@ -13,7 +14,9 @@ from repro.statistics.friedman import Friedman, not_told_apart
 LINE = 0.24  # in, from one name to the next
 BAR = 0.1  # in, from one bar to the next
 ABOVE = 0.62  # in, for the numbers of the axis and the bar of the critical difference
+MORE = 0.16  # in, for each further line of a long name
 MARGIN = 1.35  # in, on either side, for the names
+LETTERS = 17  # that fit there
 THIN: Style = {"color": "#000000", "linewidth": 0.8, "solid_capstyle": "butt"}
 THICK: Style = {"color": "#D55E00", "linewidth": 3.2, "solid_capstyle": "butt"}
 
@@ -33,7 +36,11 @@ def rank_plot(
     groups = not_told_apart(found.ranks, found.critical_difference)
     left = order[: math.ceil(len(order) / 2)]
     top = ABOVE + BAR * (len(groups) + 1)
-    height = 2 * TOP + top + LINE * len(left)
+    texts = [
+        fill(f"{name} {rank:.2f}", LETTERS) for name, rank in zip(names, found.ranks, strict=True)
+    ]
+    line = LINE + MORE * max(text.count("\n") for text in texts)
+    height = 2 * TOP + top + line * len(left)
     drawn = canvas(height)
     axes = drawn.add_axes((MARGIN / WIDTH, 0, 1 - (2 * MARGIN + RIGHT) / WIDTH, 1 - TOP / height))
     axes.set(xlim=(1, len(names)), ylim=(height - TOP, 0))
@@ -44,9 +51,9 @@ def rank_plot(
         axes.plot(ends, [ABOVE + BAR * level] * 2, clip_on=False, **THICK)
     sides = ((left, 0.0, "right"), (order[: len(left) - 1 : -1], 1.0, "left"))
     for side, edge, alignment in sides:
-        for line, k in enumerate(side):
-            _draw_name(axes, f"{names[k]} {found.ranks[k]:.2f}", found.ranks[k],
-                       y=top + LINE * (line + 0.5), edge=edge, alignment=alignment)  # fmt: skip
+        for row, k in enumerate(side):
+            _draw_name(axes, texts[k], found.ranks[k],
+                       y=top + line * (row + 0.5), edge=edge, alignment=alignment)  # fmt: skip
     return Plot(
         canvas=drawn,
         description=_description(names, order, found, groups),

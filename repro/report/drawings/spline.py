@@ -1,7 +1,7 @@
 """Angle and its derivatives over time, along a B-spline in time and angle."""
 
+import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
@@ -31,37 +31,35 @@ PRINTED = "printed durations"
 LIMITED = (1, 2)  # derivatives that have limits: velocity and acceleration
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class SplineCurve:
-    """One joint of one motion, and how it is drawn."""
-
-    course: Course
-    joint: int
-    label: str
-    style: int
+ACROSS = 3  # panels side by side
 
 
 def spline_plot(figure: SplineMotion, evidence: Evidence) -> Plot:
-    """Return the drawing of the motions: of several joints side by side, of one joint together."""
+    """Return the drawing of the motions: a panel for each joint and derivative, all in each."""
     courses, missing = _courses(figure, evidence)
-    columns = _columns(figure, courses)
+    alone = len(figure.joints) == 1
+    across = min(ACROSS, len(figure.joints))
+    deep = math.ceil(len(figure.joints) / across)
     canvas, grid = panels(
-        len(figure.derivatives),
-        len(columns),
-        height=1.45 if len(columns) > 1 else 2.2,
+        len(figure.derivatives) * deep,
+        across,
+        height=2.2 if alone else 0.9,
         legend=[
-            Line2D([], [], label=curve.label, **line_style(curve.style)) for curve in columns[0]
+            Line2D([], [], label=f"{course.name}, {course.total:.4g} s", **line_style(k))
+            for k, course in enumerate(courses)
         ],
-        title=0.44 if len(columns) > 1 else 0.1,
+        title=0.1 if alone else 0.28,
+        gaps=(0.2, 0.36),
     )
-    for derivative, row in zip(figure.derivatives, grid, strict=True):
-        for axes, curves in zip(row, columns, strict=True):
-            _draw_curves(axes, figure, curves, derivative)
-        if derivative in LIMITED:
-            _draw_limits(row, figure, derivative)
-        name_left_axis(row[0], f"{QUANTITIES[derivative]}\n[{UNITS[derivative]}]")
-    for axes, course in zip(grid[0], courses if len(columns) > 1 else (), strict=False):
-        axes.set_title(f"{course.name}\n{course.total:.4g} s")
+    for k, derivative in enumerate(figure.derivatives):
+        rows = grid[k * deep : (k + 1) * deep]
+        places = [axes for row in rows for axes in row]
+        for joint, axes in zip(figure.joints, places, strict=False):
+            _draw_joint(axes, figure, courses, joint, derivative)
+        for axes in places[len(figure.joints) :]:
+            axes.remove()
+        for row in rows:
+            name_left_axis(row[0], f"{QUANTITIES[derivative]}\n[{UNITS[derivative]}]")
     for axes in grid[-1]:
         axes.set_xlabel("time [s]")
     return Plot(
@@ -69,30 +67,6 @@ def spline_plot(figure: SplineMotion, evidence: Evidence) -> Plot:
         description=_description(figure, courses, missing),
         frame=_frame(figure, courses),
     )
-
-
-def _columns(figure: SplineMotion, courses: Sequence[Course]) -> list[list[SplineCurve]]:
-    """Return the curves of each column: all motions in one where a single joint is drawn."""
-    if len(figure.joints) == 1:
-        joint = figure.joints[0]
-        return [
-            [
-                SplineCurve(
-                    course=course,
-                    joint=joint,
-                    label=f"{course.name}, {course.total:.4g} s",
-                    style=k,
-                )
-                for k, course in enumerate(courses)
-            ]
-        ]
-    return [
-        [
-            SplineCurve(course=course, joint=joint, label=f"joint {joint}", style=joint - 1)
-            for joint in figure.joints
-        ]
-        for course in courses
-    ]
 
 
 def _courses(figure: SplineMotion, evidence: Evidence) -> tuple[list[Course], list[str]]:
@@ -123,28 +97,26 @@ def _sampled(figure: SplineMotion, course: Course, derivative: int) -> tuple[Vec
     return times, values[:, [joint - 1 for joint in figure.joints]]
 
 
-def _draw_curves(
-    axes: Axes, figure: SplineMotion, curves: Sequence[SplineCurve], derivative: int
+def _draw_joint(
+    axes: Axes, figure: SplineMotion, courses: Sequence[Course], joint: int, derivative: int
 ) -> None:
-    for curve in curves:
-        times, values = _sampled(figure, curve.course, derivative)
-        axes.plot(times, values[:, figure.joints.index(curve.joint)], **line_style(curve.style))
+    """Draw a joint in all motions, a dot at each node, and the limits on it."""
+    for k, course in enumerate(courses):
+        times, values = _sampled(figure, course, derivative)
+        own = values[:, figure.joints.index(joint)]
+        axes.plot(times, own, **line_style(k))
+        nodes = np.concatenate([[0.0], np.cumsum(course.durations)])
+        marks = np.searchsorted(times, nodes - 1e-9).clip(max=len(times) - 1)
+        axes.plot(times[marks], own[marks], ".", color=line_style(k)["color"], markersize=4)
+    if derivative in LIMITED:
+        limit = figure.problem.limits[derivative - 1][joint - 1]
+        for sign in (-1, 1):
+            axes.axhline(sign * limit, color="#000000", linewidth=1, linestyle=(0, (2, 2)))
     if len(figure.joints) > 1:
-        for end in np.cumsum(curves[0].course.durations):
-            axes.axvline(end, color="#000000", linewidth=0.8, alpha=0.6)
+        axes.set_title(f"joint {joint}", fontsize=10, pad=2)
     axes.set_xlim(left=0)
-    axes.locator_params(nbins=5)
-
-
-def _draw_limits(row: Sequence[Axes], figure: SplineMotion, derivative: int) -> None:
-    """Draw the limits on a derivative: in the colour of the joint that has it alone."""
-    limits = figure.problem.limits[derivative - 1]
-    for limit in sorted({limits[joint - 1] for joint in figure.joints}):
-        joints = [joint for joint in figure.joints if limits[joint - 1] == limit]
-        colour = line_style(joints[0] - 1)["color"] if len(joints) == 1 else "#000000"
-        for axes in row:
-            for sign in (-1, 1):
-                axes.axhline(sign * limit, color=colour, linewidth=1, linestyle=(0, (2, 2)))
+    axes.locator_params(axis="x", nbins=5)
+    axes.locator_params(axis="y", nbins=3 if len(figure.joints) > 1 else 5)
 
 
 def _description(figure: SplineMotion, courses: Sequence[Course], missing: Sequence[str]) -> str:

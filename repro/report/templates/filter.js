@@ -1,4 +1,4 @@
-// Which numbers and claims are shown, in which order of rows, and how much of each.
+// Which numbers are shown, in which order of rows, and how much of each.
 {
   const find = name => document.getElementById(name);
   const tools = find("tools");
@@ -15,16 +15,22 @@
     const isOff = ({ dataset }) =>
       !wanted.has(dataset.verdict) || (marked.checked && !("marked" in dataset));
     let count = 0;
+    let rowsHidden = 0;
     for (const one of judged) {
       const off = isOff(one);
       count += !off;
-      if (one.matches("tr")) one.hidden = off;
-      else one.classList.toggle("off", off);
+      one.classList.toggle("off", off);
     }
     for (const row of [...printed.values()].flat()) {
-      row.hidden = row.querySelector(".cell.off") && !row.querySelector(".cell:not(.off)");
+      row.hidden = Boolean(row.querySelector(".cell.off") && !row.querySelector(".cell:not(.off)"));
+      rowsHidden += row.hidden;
     }
-    find("shown-count").textContent = `${count} of ${judged.length} numbers and claims shown`;
+    const hidden = judged.length - count;
+    const rows = rowsHidden ? `, and ${rowsHidden} whole ${rowsHidden === 1 ? "row" : "rows"}` : "";
+    find("shown-count").textContent = hidden
+      ? `${count} of ${judged.length} numbers shown: the filter hides ${hidden}${rows}.`
+      : `All ${judged.length} numbers shown.`;
+    find("show-all").hidden = !hidden;
   };
   const arrange = () => {
     const kind = order.value;
@@ -54,9 +60,6 @@
   order.addEventListener("change", arrange);
   compact.addEventListener("change", press);
   find("show-all").addEventListener("click", showAll);
-  for (const link of document.querySelectorAll("a[data-only]")) {
-    link.addEventListener("click", () => only(link.dataset.only));
-  }
   // a link to a number that the filter hides shows everything again
   addEventListener("hashchange", () => {
     const target = find(decodeURIComponent(location.hash.slice(1)));

@@ -13,9 +13,23 @@ for (const table of document.querySelectorAll("table.sortable")) {
     const gap = Number(first) - Number(second);
     return sign * (Number.isNaN(gap) ? compare(first, second) : gap);
   });
+  // one tab stop for all headings: arrow keys move between them
+  const reach = button => {
+    for (const other of headings) other.querySelector("button").tabIndex = -1;
+    button.tabIndex = 0;
+  };
   headings.forEach((heading, column) => {
     const button = document.createElement("button");
     button.className = "sort";
+    button.tabIndex = column ? -1 : 0;
+    button.addEventListener("focus", () => reach(button));
+    button.addEventListener("keydown", event => {
+      const step = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+      const next = step && headings[column + step];
+      if (!next) return;
+      event.preventDefault();
+      next.querySelector("button").focus();
+    });
     button.append(...heading.childNodes);
     heading.append(button);
     button.addEventListener("click", () => {

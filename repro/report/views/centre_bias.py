@@ -62,6 +62,8 @@ def _places(found: CentreBias) -> str:
     """Return the places of the proposed algorithm as a sentence."""
     name, algorithms = found.experiment.proposed, len(found.experiment.algorithms)
     problems = len(found.problems)
+    if algorithms < 2:
+        return ""
     if not found.experiment.runs_proposed:
         return f"{name} is not re-run: {found.experiment.left_out[name].because}."
     places = [

@@ -3,13 +3,15 @@
 from collections import Counter
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from itertools import chain, repeat
 
 from repro.audit import AuditRow
 from repro.judge.counting import by_group
 from repro.judge.findings import IN_WORDS, Finding
+from repro.judge.verdict import HELD, Verdict
 from repro.model.identifiers import anchor, identifiers
 from repro.model.measures.measure import TABLES
+from repro.report.views.line_plot import drawn_number
 from repro.report.views.turns import ShownReading, Turn, shown_reading, turns_of
 from repro.report.words import (
     could_be_off,
@@ -23,9 +25,6 @@ from repro.report.words import (
 )
 from repro.tables.published import UNITS, Printed, PublishedTable
 
-if TYPE_CHECKING:
-    from repro.judge.verdict import Verdict
-
 Place = tuple[str | None, str | None, str | None]
 
 
@@ -36,7 +35,8 @@ class Shown:
     It stands on `line` of the CSV file that is named by the paper's key and `group`. `unseen` says
     how far a consistent number could be off, `own` what the re-run alone says of one that depends,
     `counted` with what it counts, where that is not by
-    itself; `turns` are the readings on which the verdict turns, among all `readings`.
+    itself; `turns` are the readings on which the verdict turns, among all `readings`; `least` is
+    the proved least, and `drawn` what the line plot shows.
     """
 
     finding: Finding
@@ -55,6 +55,9 @@ class Shown:
     line: int
     order: float | None
     own: str = ""
+    own_kind: str = ""
+    least: str = ""
+    drawn: str = ""
     unseen: str = ""
     counted: str = ""
     readings: tuple[ShownReading, ...] = ()
@@ -80,11 +83,10 @@ class Shown:
         return f"on {self.turns[0].name}" if self.turns else ""
 
     @property
-    def tried(self) -> str:
-        """Under how many of the readings that were tried the number holds, as a sentence."""
-        held, tried = sum(one.held for one in self.readings), len(self.readings)
-        were = "reading that was" if tried == 1 else "readings that were"
-        return f"it holds under {held or 'none'} of {tried} {were} tried besides"
+    def turning(self) -> int:
+        """Under how many of the readings that were tried the number holds where it did not."""
+        held = self.finding.as_run in HELD
+        return sum(one.held != held for turn in self.turns for one in turn.outcomes)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -123,18 +125,20 @@ def everything(
     rows: Iterable[AuditRow],
     settings: Mapping[str, Sequence[str]] | None = None,
     ruled_out: Collection[str] = (),
+    least: Sequence[float | None] = (),
 ) -> list[Shown]:
     """Return every finding in the words and digits of the pages, with the audit rows on it.
 
     `settings` names the readings that are values of each open setting, `ruled_out` those that the
-    text rules out.
+    text rules out; `least` are proved least values of what the first findings measure.
     """
     marks = marks_by_cell(rows)
     names = identifiers((f.table or "claim", f.row, f.column, f.claim) for f in findings)
     together = Counter(finding.group for finding in findings)
     lines: Counter[str] = Counter()
     found = []
-    for name, finding in zip(names, findings, strict=True):
+    proved = chain(least, repeat(None))
+    for name, finding, low in zip(names, findings, proved, strict=False):
         group = anchor(finding.table or "claims")
         lines[group] += 1
         cell = (finding.table, finding.row, finding.column)
@@ -146,6 +150,8 @@ def everything(
             replace(
                 shown,
                 readings=readings,
+                least=number(low, digits) if low is not None else "",
+                drawn=drawn_number(finding, low),
                 counted=counted(finding.group, together[finding.group] - 1),
                 turns=turns_of(finding, readings, settings or {}),
             )
@@ -201,6 +207,7 @@ def _shown(
         line=line,
         order=printed.value if printed else None,
         own=_own(finding),
+        own_kind=anchor(finding.as_run),
         unseen="" if finding.unseen is None else could_be_off(finding.unseen, in_words=worded),
         marks=marks,
     )

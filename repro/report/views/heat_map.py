@@ -1,15 +1,14 @@
 """Every printed table at one glance: by how many powers of ten the re-run is off."""
 
 import math
-from collections import defaultdict
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from repro.judge.one_sided import one_sided
 from repro.judge.verdict import Verdict
 from repro.report.views.findings import Shown, Table
 
 MOST = 6  # powers of ten: what is further off looks the same
-LEAST = 3  # numbers of a column that lie on one side before that is said
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -97,14 +96,6 @@ def _looks(shown: Shown) -> tuple[str, str, str]:
 
 def _one_sided(table: Table) -> Iterable[str]:
     """Yield a sentence for each column whose numbers all come out lower, or all higher."""
-    sides = defaultdict(list)
-    for _, cells in table.rows:
-        for column, cell in zip(table.columns, cells, strict=True):
-            if not isinstance(cell, Shown) or cell.finding.value is None or cell.order is None:
-                continue
-            low, high = cell.finding.accepted
-            value = cell.finding.value
-            sides[column].append("lower" if value < low else "higher" if value > high else "")
-    for column, own in sides.items():
-        if len(own) >= LEAST and len(set(own)) == 1 and own[0]:
-            yield f"every number of {column} ({len(own)}) re-runs {own[0]} than printed"
+    cells = [cell.finding for _, row in table.rows for cell in row if isinstance(cell, Shown)]
+    for each in one_sided(cells):
+        yield f"every number of {each.column} ({each.numbers}) re-runs {each.side} than printed"

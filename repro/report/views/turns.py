@@ -8,6 +8,7 @@ from repro.judge.findings import Finding
 from repro.judge.turning import ReadingOutcome
 from repro.judge.verdict import HELD
 from repro.model.identifiers import anchor
+from repro.report.views.line_plot import drawn_ends
 from repro.report.words import interval, verdict_words
 
 
@@ -15,7 +16,8 @@ from repro.report.words import interval, verdict_words
 class ShownReading:
     """What becomes of a number under another reading, as the pages show it.
 
-    `held` is what may turn a verdict; the `note` says why a reading may not.
+    `held` is what may turn a verdict; the `note` says why a reading may not; `drawn` are the ends
+    of its interval for the line plot.
     """
 
     reading: str
@@ -25,6 +27,7 @@ class ShownReading:
     repeats: int
     held: bool
     note: str
+    drawn: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -53,6 +56,7 @@ def shown_reading(found: ReadingOutcome, digits: int, ruled_out: Collection[str]
         repeats=found.repeats,
         held=found.verdict in HELD and not note,
         note=note,
+        drawn=drawn_ends(found.measured),
     )
 
 

@@ -1,6 +1,6 @@
 """What the private report shows of a user's search beside the others."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from repro.judge.beside_baselines import ProblemStandings
@@ -14,24 +14,37 @@ Texts = tuple[str, ...]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class UsersSearchView:
-    """The user's search in one experiment: standings, places among the printed, and tests."""
+    """The user's search in one experiment: standings, places among the printed, and tests.
+
+    Where there are `several` searches, each row of the last two names its own behind the problem.
+    """
 
     standings: StandingsView
     printed: tuple[Texts, ...]
     tests: tuple[Texts, ...]
+    several: bool
 
 
 def users_search_view(found: UsersSearch) -> UsersSearchView:
     """Return where the search stands, in words."""
+    problems = found.standings.problems
+    several = max(len(_owns(standing)) for standing in problems) > 1
+    printed = [
+        (name, _printed(found.printed[standing.problem], standing, name))
+        for standing in problems
+        for name in _owns(standing)
+    ]
+    tests = [(test.own.algorithm, _test(test)) for test in found.tests]
     return UsersSearchView(
         standings=standings_view(found.standings, seconds=True),
-        printed=tuple(
-            _printed(found.printed[standing.problem], standing, name)
-            for standing in found.standings.problems
-            for name in _owns(standing)
-        ),
-        tests=tuple(map(_test, found.tests)),
+        printed=_named(printed) if several else tuple(row for _, row in printed),
+        tests=_named(tests) if several else tuple(row for _, row in tests),
+        several=several,
     )
+
+
+def _named(rows: Iterable[tuple[str, Texts]]) -> tuple[Texts, ...]:
+    return tuple((problem, name, *rest) for name, (problem, *rest) in rows)
 
 
 def _owns(standing: ProblemStandings) -> tuple[str, ...]:

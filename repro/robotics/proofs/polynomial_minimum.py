@@ -12,12 +12,13 @@ from fractions import Fraction
 
 import numpy as np
 
-from repro.robotics.polynomial_motion import KINDS, PolynomialMotion, derived, extremes
-from repro.robotics.proofs.positivity import not_negative, positive
-from repro.robotics.proofs.proved import LeastTime, box_in_words, closed
+from repro.robotics.polynomial_motion import KINDS, PolynomialMotion, bernstein_curve, extremes
+from repro.robotics.proofs.positivity import none_negative, positive
+from repro.robotics.proofs.proved import FREE, LeastTime, box_in_words, closed
 from repro.robotics.proofs.watch import ENDLESS, Watch
 
 STEPS = 200  # from root to root
+TRIES = 20  # likewise, where the time is over: bound and motion are found, and nothing proved of it
 SLACK = 1e-11  # share of a limit by which a motion may seem to break it when the search ends
 SHORTER = 1e-12  # share by which a root is shortened for the proof
 LONGER = (1e-10, 1e-9, 1e-8, 1e-7, 1e-6)  # shares by which the last T is lengthened for the proof
@@ -42,13 +43,15 @@ class BrokenLimit:
 class SegmentProof:
     """Duration of one segment: proved bound, the time of a motion proved to obey, what binds.
 
-    The bound is infinite where no duration obeys, `time` is None where none was found; `early` says
-    that there was no time left to look for one.
+    The bound is infinite where no duration allowed obeys, which `needed` is the least that the
+    limit leaves, infinite for none; `time` is None where none was found; `early` says that there
+    was no time left to prove more.
     """
 
     lower: float
     time: float | None
     cut: BrokenLimit | None
+    needed: float = math.inf
     early: bool = False
 
 
@@ -66,8 +69,9 @@ def polynomial_minimum(
     attained = math.fsum(at) if whole else None
     bound = math.nextafter(least, 0.0) if math.isfinite(least) else None
     binds = _at_fault(parts) or [part for part in parts if not part.early]
+    early = any(part.early for part in parts)
     return LeastTime(
-        minimum=closed(bound, attained),
+        minimum=None if early else closed(bound, attained),
         lower_bound=bound,
         attained=attained,
         method=METHOD,
@@ -92,10 +96,13 @@ def _explanation(
         if part in faults
     ]
     if not over:
-        return _left([k for k, part in enumerate(parts, 1) if part.early])
-    proved = any(math.isinf(part.lower) for part in faults)
+        return _left(parts)
+    box = box_in_words(problem.durations)
+    if problem.durations == FREE and any(math.isfinite(part.needed) for part in faults):
+        box = f" up to {FREE[1]:g} s"
+    proved = all(math.isinf(part.lower) for part in faults)
     found = "obey" if proved else "were found that obey"
-    return f"No durations{box_in_words(problem.durations)} {found}: {'; '.join(over)}."
+    return f"No durations{box} {found}: {'; '.join(over)}."
 
 
 def _at_fault(parts: list[SegmentProof]) -> list[SegmentProof]:
@@ -104,11 +111,14 @@ def _at_fault(parts: list[SegmentProof]) -> list[SegmentProof]:
     return never or [part for part in parts if part.time is None and not part.early]
 
 
-def _left(early: list[int]) -> str:
+def _left(parts: list[SegmentProof]) -> str:
+    early = [k for k, part in enumerate(parts, 1) if part.early]
     if not early:
         return ""
     which, were = ("segment", "was") if len(early) == 1 else ("segments", "were")
-    return f"The time was over before {which} {', '.join(map(str, early))} {were} proved."
+    shown = all(part.time is not None for part in parts)
+    checked = "; that the motion obeys there is checked in doubles alone" if shown else ""
+    return f"The time was over before {which} {', '.join(map(str, early))} {were} proved{checked}."
 
 
 def _words(problem: PolynomialMotion, cut: BrokenLimit | None, units: tuple[str, ...]) -> str:
@@ -126,22 +136,25 @@ def _segment(problem: PolynomialMotion, segment: int, watch: Watch) -> SegmentPr
     shortest, longest = problem.durations
     time = proved = shortest
     cut: BrokenLimit | None = None
-    for _ in range(STEPS):
-        worst, excess = _worst(problem, segment, time, watch)
-        if watch.over:
-            break
+    left = STEPS
+    while left > 0:
+        left = min(left - 1, TRIES) if watch.over else left - 1
+        worst, excess = _worst(problem, segment, time)
         if excess <= SLACK:
             found = _lengthened(problem, segment, time, watch, exact=cut is None)
             if found is not None:
                 return SegmentProof(lower=proved, time=found, cut=cut)
-            if excess <= 0.0 or watch.over:
+            if watch.over and (shown := _barely_lengthened(problem, segment, time)) is not None:
+                return SegmentProof(lower=proved, time=shown, cut=cut, early=True)
+            if excess <= 0.0:
                 break
         cut = worst
         room = _room(problem, segment, cut)
         after = _next_root(room, time)
         if after > longest:
             never = positive(_mapped(room, proved, longest))
-            return SegmentProof(lower=math.inf if never else proved, time=None, cut=cut)
+            bound = math.inf if never else proved
+            return SegmentProof(lower=bound, time=None, cut=cut, needed=after)
         reached = after * (1.0 - SHORTER)
         if reached > proved and positive(_mapped(room, proved, reached)):
             proved = reached
@@ -149,14 +162,16 @@ def _segment(problem: PolynomialMotion, segment: int, watch: Watch) -> SegmentPr
     return SegmentProof(lower=proved, time=None, cut=cut, early=watch.over)
 
 
-def _worst(
-    problem: PolynomialMotion, segment: int, time: float, watch: Watch
-) -> tuple[BrokenLimit, float]:
+def _barely_lengthened(problem: PolynomialMotion, segment: int, time: float) -> float | None:
+    """Return a duration little longer that obeys in doubles, without a proof."""
+    longer = (min(time * (1.0 + share), problem.durations[1]) for share in LONGER)
+    return next((each for each in longer if _worst(problem, segment, each)[1] <= 0.0), None)
+
+
+def _worst(problem: PolynomialMotion, segment: int, time: float) -> tuple[BrokenLimit, float]:
     """Return the limit that is broken most, as a share of it, or kept most barely."""
     found = (BrokenLimit(derivative=1, joint=0, sign=1, at=0.0), -math.inf)
     for joint, m in _limited(problem):
-        if watch.over:
-            break
         low, high = problem.bounds(m, joint)
         least, most, at_least, at_most = extremes(problem, segment, joint, m, time)
         size = high - low if m == 0 else 1.0
@@ -170,11 +185,8 @@ def _worst(
 
 def _room(problem: PolynomialMotion, segment: int, cut: BrokenLimit) -> list[Fraction]:
     """Return by how much a limit is broken at one τ, times T^m, as a polynomial of T."""
-    m, place = cut.derivative, Fraction(cut.at)
-    still, moving = (
-        sum((entry * place**power for power, entry in enumerate(derived(p, m))), Fraction(0))
-        for p in problem.curve(segment, cut.joint)
-    )
+    m = cut.derivative
+    still, moving = problem.value(segment, cut.joint, m, Fraction(cut.at))
     low, high = problem.bounds(m, cut.joint)
     room = [cut.sign * still, cut.sign * moving, Fraction(0), Fraction(0)]
     room[m] -= Fraction(high if cut.sign > 0 else -low)
@@ -231,14 +243,10 @@ def _kept(
     if not low <= least <= most <= high:
         return False
     duration = Fraction(time)
-    curve = [
-        a + duration * b
-        for a, b in zip(*(derived(p, m) for p in problem.curve(segment, joint)), strict=True)
-    ]
+    curve = bernstein_curve(problem, segment, joint, m, duration)
     for sign, limit in ((1, high), (-1, -low)):
         if math.isfinite(limit):
-            room = [-sign * entry for entry in curve]
-            room[0] += Fraction(limit) * duration**m
-            if not not_negative(room, watch):
+            room = Fraction(limit) * duration**m
+            if not none_negative([room - sign * entry for entry in curve], watch):
                 return False
     return True

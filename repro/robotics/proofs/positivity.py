@@ -47,7 +47,11 @@ def not_negative(p: Polynomial, watch: Watch = ENDLESS) -> bool:
 
     It may be 0 at the ends.
     """
-    rest = bernstein(p)
+    return none_negative(bernstein(p), watch)
+
+
+def none_negative(rest: list[Fraction], watch: Watch = ENDLESS) -> bool:
+    """Return the same of a polynomial given by its Bernstein coefficients."""
     # a root at an end is divided out, as often as it is one
     while len(rest) > 1 and rest[0] == 0:
         n = len(rest) - 1

@@ -2,8 +2,10 @@
 
 from dataclasses import dataclass
 
+from repro.robotics.polynomial_motion import COMPUTED
+
 GAP = 1e-5  # share of its time: a motion that is nearer to the bound is a minimum
-FREE = (1e-9, 1e9)  # s: no segment of an arm's motion is shorter or longer
+FREE = COMPUTED  # s: where nobody says how long a segment may last
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -4,10 +4,12 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from repro.robotics.proofs.proved import LeastTime, closed
 from repro.robotics.rest_to_rest import DERIVATIVES, MARGIN, MinimumTime
 
+Vector = NDArray[np.float64]
 PER = {"velocity": "/s", "acceleration": "/s²", "jerk": "/s³"}
 METHOD = (
     "closed form: in each segment a joint that moves D in time T peaks at f·D/T^m, so T is at "
@@ -18,12 +20,13 @@ METHOD = (
 def rest_to_rest(problem: MinimumTime, units: Sequence[str]) -> LeastTime:
     """Return the least time of every motion that obeys and whose durations are allowed."""
     shortest, longest = problem.durations
-    needed = problem.shortest()
+    times = problem.times_to_keep()
+    needed = times.max(axis=(1, 2))
     # at most this much shorter without the margin; see there
     exact = np.maximum(needed * (1.0 - 3.0 * MARGIN), shortest)
     lower = math.nextafter(math.fsum(exact), 0.0)
     if (exact > longest).any():
-        return _nothing_obeys(problem, lower, units)
+        return _nothing_obeys(problem, times, lower, units)
     at = np.clip(needed, shortest, longest)
     obeys = problem.obeys(at)
     attained = float(at.sum()) if obeys else None
@@ -33,17 +36,22 @@ def rest_to_rest(problem: MinimumTime, units: Sequence[str]) -> LeastTime:
         attained=attained,
         method=METHOD,
         at=tuple(at.tolist()) if obeys else (),
-        binding=tuple(_binding(problem, k, units) for k in range(problem.segments)),
+        binding=tuple(
+            f"segment {k}: {_binding(problem, each, units)}"
+            for k, each in enumerate(times, start=1)
+        ),
         box=problem.durations,
     )
 
 
-def _nothing_obeys(problem: MinimumTime, lower: float, units: Sequence[str]) -> LeastTime:
+def _nothing_obeys(
+    problem: MinimumTime, times: Vector, lower: float, units: Sequence[str]
+) -> LeastTime:
     low, longest = problem.durations
     over = [
-        f"segment {k + 1} takes {time:.6g} s or more ({_limit(problem, k, units)})"
-        for k, time in enumerate(problem.shortest())
-        if time > longest
+        f"segment {k} takes {each.max():.6g} s or more ({_limit(problem, each, units)})"
+        for k, each in enumerate(times, start=1)
+        if each.max() > longest
     ]
     return LeastTime(
         minimum=None,
@@ -60,15 +68,15 @@ def _nothing_obeys(problem: MinimumTime, lower: float, units: Sequence[str]) -> 
     )
 
 
-def _binding(problem: MinimumTime, segment: int, units: Sequence[str]) -> str:
-    if problem.times_to_keep()[segment].max() < problem.durations[0]:
-        return f"segment {segment + 1}: shortest duration allowed ({problem.durations[0]:g} s)"
-    return f"segment {segment + 1}: {_limit(problem, segment, units)}"
+def _binding(problem: MinimumTime, times: Vector, units: Sequence[str]) -> str:
+    """Return what holds a segment back, whose least times per derivative and joint are given."""
+    if times.max() < problem.durations[0]:
+        return f"shortest duration allowed ({problem.durations[0]:g} s)"
+    return _limit(problem, times, units)
 
 
-def _limit(problem: MinimumTime, segment: int, units: Sequence[str]) -> str:
-    times = problem.times_to_keep()[segment]
+def _limit(problem: MinimumTime, times: Vector, units: Sequence[str]) -> str:
     derivative, joint = map(int, np.unravel_index(np.argmax(times), times.shape))
     kind = DERIVATIVES[derivative + 1]
-    limit = problem.limits[derivative, joint]
+    limit = getattr(problem, kind)[joint]
     return f"{kind} of joint {joint + 1} (limit {limit:g} {units[joint]}{PER[kind]})"

@@ -22,9 +22,9 @@ from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import linprog
 
-from repro.errors import NotProvedError
+from repro.errors import DeclarationError, NotProvedError
+from repro.robotics.motion_checks import LARGEST
 from repro.robotics.proofs.branch_and_bound import least_total
 from repro.robotics.proofs.descent import descended, just_obeying, starts
 from repro.robotics.proofs.limit_pool import Limits
@@ -99,12 +99,16 @@ def _scaled(problem: MinimumTimeSpline) -> tuple[float, MinimumTimeSpline]:
         raise NotProvedError(_STILL)
     unit = 2.0 ** round(math.log2(_roughly(problem)))
     shortest, longest = problem.durations
-    return unit, replace(
-        problem,
-        velocity=tuple(limit * unit for limit in problem.velocity),
-        acceleration=tuple(limit * unit * unit for limit in problem.acceleration),
-        durations=(shortest / unit, longest / unit),
-    )
+    try:
+        return unit, replace(
+            problem,
+            velocity=tuple(limit * unit for limit in problem.velocity),
+            acceleration=tuple(limit * unit * unit for limit in problem.acceleration),
+            durations=(shortest / unit, min(longest / unit, LARGEST)),
+        )
+    except DeclarationError as error:
+        message = f"in units of {unit:.3g} s, about the motion's time, {error}"
+        raise NotProvedError(message) from None
 
 
 def _in_seconds(limit: Cut | Bend, unit: Fraction) -> Cut | Bend:
@@ -171,6 +175,8 @@ def _optimum(
 
     Where the longest durations allowed are too short for it, it is that without them.
     """
+    from scipy.optimize import linprog  # noqa: PLC0415 (slow to load)
+
     places = list(itertools.product(range(problem.segments), range(len(problem.velocity))))
     cuts = [cut(model, *place, Fraction(k, 4)) for place in places for k in range(5)]
     bounds: tuple[float, float | None] = problem.durations

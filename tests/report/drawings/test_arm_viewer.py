@@ -1,12 +1,14 @@
+import gzip
 import hashlib
 import json
 import re
+from base64 import b64decode
 from pathlib import Path
 
 import pytest
 
 from repro.commands.written_pages import write_pages
-from repro.report.drawings.arm_viewer import viewer
+from repro.report.drawings.arm_viewer import packed_viewer, viewer
 from repro.runs.plan import plan
 from repro.runs.store.store import Store
 from tests.doe2021 import PAPER
@@ -50,6 +52,11 @@ def test_the_bundle_is_light_and_ends_no_script_element() -> None:
     assert "<!--" not in viewer()
 
 
+def test_the_packed_script_is_the_script() -> None:
+    assert gzip.decompress(b64decode(packed_viewer())).decode() == viewer()
+    assert len(packed_viewer()) < len(viewer()) / 2
+
+
 def test_the_lock_names_no_registry() -> None:
     lock = json.loads((FOLDER / "package-lock.json").read_text(encoding="utf-8"))
     assert not [name for name, package in lock["packages"].items() if "resolved" in package]
@@ -57,7 +64,7 @@ def test_the_lock_names_no_registry() -> None:
 
 def test_a_page_with_an_arm_carries_scene_and_script_once(page: str) -> None:
     assert page.count('class="arm-scene"') == 1
-    assert page.count("Contains three.js") == 1
+    assert page.count("Contains three.js") == page.count(packed_viewer()) == 1
 
 
 def test_text_in_a_scene_can_neither_end_it_nor_become_markup(page: str) -> None:

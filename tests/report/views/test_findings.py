@@ -49,7 +49,7 @@ def test_what_turns_a_verdict_stands_with_its_outcome_and_all_that_was_tried_is_
     assert (turn.name, [one.verdict for one in turn.outcomes]) == ("scalar", ["≈ consistent"])
     assert shown.own == "✖ contradicted (re-run higher)"
     assert shown.brief == "on scalar"
-    assert shown.tried == "it holds under 1 of 2 readings that were tried besides"
+    assert shown.turning == 1
     assert [one.repeats for one in shown.readings] == [4, 4]
 
 
@@ -75,15 +75,23 @@ def test_a_reading_that_may_turn_nothing_holds_nothing_and_says_why() -> None:
         "too few runs to rule anything out",
         "the text rules it out",
     ]
-    assert shown.tried == "it holds under none of 2 readings that were tried besides"
+    assert shown.turning == 0
 
 
-def test_none_of_the_readings_that_were_tried_is_said_with_their_number() -> None:
-    found = finding("F1", readings=(outcome("scalar", Verdict.CONTRADICTED, "lower"),))
+def test_of_the_readings_those_that_turn_the_verdict_are_counted() -> None:
+    tried = (
+        outcome("t30", Verdict.CONTRADICTED, "lower"),
+        outcome("t90", Verdict.CONSISTENT),
+        outcome("scalar", Verdict.CONTRADICTED, "lower"),
+    )
+    found = finding(
+        "F1", verdict=Verdict.DEPENDS, readings=tried, turns_on=("iterations",),
+        as_run=Verdict.CONTRADICTED,
+    )  # fmt: skip
 
-    (shown,) = everything([found], [])
+    (shown,) = everything([found], [], {"iterations": ("t30", "t90")})
 
-    assert shown.tried == "it holds under none of 1 reading that was tried besides"
+    assert (shown.turning, len(shown.readings)) == (1, 3)
 
 
 def test_results_are_tallied_once_in_each_table_and_uncounted_ones_nowhere() -> None:

@@ -6,12 +6,24 @@ from repro.judge.judgement import judge
 from repro.judge.other_readings import FARTHEST
 from repro.report.rendering import render
 from repro.report.views.readings import ReadingsView, readings_view, ruled_out_by, settings_of
+from repro.report.views.turned import turned_by
 from tests.judge.test_other_readings import WIDER, evidence, open_paper
 
 
 def view(**costs: float) -> ReadingsView:
     paper = open_paper(WIDER)
     return readings_view(judge(paper, evidence(paper, **costs)))
+
+
+def shown_with(view: ReadingsView) -> dict[str, object]:
+    """Return what the section names."""
+    return {
+        "paper": open_paper(WIDER),
+        "readings": view,
+        "matrix": turned_by(view.rows, (), {}),
+        "reading_repeats": 1,
+        "provenance": {"repeats": 20},
+    }
 
 
 def test_a_reading_says_on_how_much_it_bears_what_it_turns_and_how_deep_it_was_run() -> None:
@@ -43,14 +55,7 @@ def test_a_value_of_an_open_setting_that_the_number_lies_between_turns_it() -> N
 @pytest.mark.parametrize("page", ["md", "html"])
 def test_no_page_says_that_no_reading_was_chosen_because_it_fits(page: str) -> None:
     shown = view(guess=5.0, wider=0.05)
-    context = {
-        "paper": open_paper(WIDER),
-        "readings": shown,
-        "reading_repeats": 1,
-        "provenance": {"repeats": 20},
-    }
-
-    text = render(f"sections/readings.{page}", context)
+    text = render(f"sections/readings.{page}", shown_with(shown))
 
     assert "because it fits" not in text
     assert "was settled by what meets the print" in text
@@ -70,14 +75,7 @@ def test_paper_whose_readings_were_not_run_shows_none() -> None:
 @pytest.mark.parametrize("page", ["md", "html"])
 def test_both_pages_say_what_a_zero_counts_in_a_distance(page: str) -> None:
     shown = view(guess=5.0, wider=0.05)
-    context = {
-        "paper": open_paper(WIDER),
-        "readings": shown,
-        "reading_repeats": 1,
-        "provenance": {"repeats": 20},
-    }
-
-    text = render(f"sections/readings.{page}", context)
+    text = render(f"sections/readings.{page}", shown_with(shown))
 
     assert f"a zero against another number counts as {FARTHEST:g}." in text
 
@@ -105,12 +103,7 @@ def test_two_forms_of_a_controls_search_stand_side_by_side() -> None:
         *("0.05000", "✔ reproduced"),
     )
     for page in ("md", "html"):
-        context = {
-            "readings": readings_view(judge(paper, costs)),
-            "paper": paper,
-            "reading_repeats": 1,
-            "provenance": {"repeats": 20},
-        }
+        context = shown_with(readings_view(judge(paper, costs)))
         assert "beside" in render(f"sections/readings.{page}", context)
 
 

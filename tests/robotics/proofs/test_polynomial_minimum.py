@@ -1,3 +1,4 @@
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -10,7 +11,7 @@ from repro.robotics import MinimumTime, PolynomialMotion, RestToRestLaw
 from repro.robotics.polynomial_motion import extremes, motion, shapes
 from repro.robotics.proofs.least_time import least_time
 from repro.robotics.proofs.polynomial_minimum import polynomial_minimum
-from repro.robotics.proofs.proved import LeastTime
+from repro.robotics.proofs.proved import FREE, LeastTime
 from repro.robotics.proofs.watch import ENDLESS, Watch
 from tests.robotics.proofs.test_least_time import ticking
 from tests.robotics.test_rest_to_rest import problems
@@ -136,41 +137,69 @@ def test_polynomials_of_any_odd_degree_are_proved(degree: int) -> None:
     assert found.gap < 1e-6
 
 
-@pytest.mark.parametrize("power", [-3, 5])
-def test_fast_and_slow_motions_are_proved_alike(power: int) -> None:
+@settings(max_examples=40, deadline=None)
+@given(st.floats(-15.0, 15.0), SPEEDS, st.sampled_from([FREE, TWO.durations]))
+def test_limits_scaled_by_powers_of_c_scale_times_by_its_inverse(
+    power: float, start: tuple[float, float], box: tuple[float, float]
+) -> None:
     by = 10.0**power
 
     def slowed(limits: tuple[tuple[float, ...], ...], m: int) -> tuple[tuple[float, ...], ...]:
         return tuple(tuple(value / by**m for value in pair) for pair in limits)
 
-    moving = replace(TWO, start=(0.5, 0.0))
+    jerk = ((-9.0, 9.0), (-9.0, 8.0))
+    moving = replace(TWO, start=start, jerk=jerk, durations=box)
     scaled = replace(
         moving,
         velocity=slowed(moving.velocity, 1),
         acceleration=slowed(moving.acceleration, 2),
-        start=(0.5 / by, 0.0),
-        durations=(0.01 * by, 100.0 * by),
+        jerk=slowed(jerk, 3),
+        start=tuple(speed / by for speed in start),
+        durations=box if box == FREE else (box[0] * by, box[1] * by),
     )
-    assert proved(scaled).minimum == pytest.approx(by * (proved(moving).minimum or 0.0), rel=1e-8)
+    found, once = proved(scaled), proved(moving)
+
+    assert found.minimum == pytest.approx(by * (once.minimum or 0.0), rel=1e-8)
+    assert found.lower_bound == pytest.approx(by * (once.lower_bound or 0.0), rel=1e-8)
+
+
+@pytest.mark.parametrize("limit", [1e-12, 1e-70])
+def test_motion_that_takes_ages_is_proved_or_said_to_be_beyond_what_is_computed(
+    limit: float,
+) -> None:
+    slow = replace(TWO, velocity=((-limit, limit),) * 2, durations=FREE)
+    found = proved(slow)
+
+    if limit == 1e-12:
+        assert found.minimum == pytest.approx(4.0 / limit * 15 / 8, rel=1e-8)
+        assert found.explanation == ""
+    else:
+        assert found.minimum is None
+        assert found.explanation.startswith("No durations up to 1e+60 s obey: segment 1 (velocity")
 
 
 @pytest.mark.parametrize("looks", [0, 1, 3, 10, 20, 30])
-def test_bound_that_is_cut_short_holds_and_says_which_segments_are_left(looks: int) -> None:
+def test_proof_that_is_cut_short_shows_a_motion_beside_its_bound_and_no_minimum(looks: int) -> None:
     whole, cut = proved(TWO), proved(TWO, ticking(looks))
 
-    assert (cut.minimum, cut.attained, cut.at) == (None, None, ())
-    assert 0 < (cut.lower_bound or 0.0) < (whole.lower_bound or 0.0)
-    left = "segment 2 was" if cut.binding else "segments 1, 2 were"
-    assert cut.explanation == f"The time was over before {left} proved."
-    assert cut.binding == whole.binding[: len(cut.binding)]
+    assert cut.minimum is None
+    assert cut.lower_bound == whole.lower_bound
+    assert cut.attained == pytest.approx(whole.attained, rel=1e-6)
+    assert TWO.obeys(np.array(cut.at))
+    assert (cut.gap or 1.0) < 1e-6
+    assert re.fullmatch(
+        "The time was over before (segment 2 was|segments 1, 2 were) proved; that the motion "
+        "obeys there is checked in doubles alone.",
+        cut.explanation,
+    )
 
 
-def test_longer_search_proves_no_less_until_all_is_proved() -> None:
-    bounds = [proved(TWO, ticking(looks)).lower_bound or 0.0 for looks in range(0, 200, 4)]
+def test_proof_with_time_enough_ends_as_one_without_a_clock() -> None:
+    assert proved(TWO, ticking(9999)) == proved(TWO)
 
-    assert bounds == sorted(bounds)
-    assert len(set(bounds)) > 2
-    assert bounds[-1] == proved(TWO).lower_bound
+
+def test_box_that_nothing_obeys_is_said_where_the_time_is_over_too() -> None:
+    assert proved(replace(TWO, durations=(0.01, 1.0)), ticking(0)).attained is None
 
 
 def test_box_of_durations_is_obeyed_or_said() -> None:

@@ -1,0 +1,76 @@
+"""The words of the pages, and of the manual: python -m repro.report.glossary FILE."""
+
+import sys
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+from pathlib import Path
+
+from markupsafe import Markup
+
+from repro.errors import InputError
+from repro.model.identifiers import anchor
+
+PAGE = "glossary"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Term:
+    """A word with what it means; `see` are other words that explain it."""
+
+    name: str
+    says: str
+    see: tuple[str, ...] = ()
+
+    @property
+    def anchor(self) -> str:
+        """Its place on the page."""
+        return anchor(self.name)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Glossary:
+    """All words in their order, and what else the parts of a paper's pages are called."""
+
+    terms: tuple[Term, ...]
+    rooms: Mapping[str, str]
+
+
+@cache
+def glossary() -> Glossary:
+    """Return what glossary.toml says."""
+    path = files("repro.report") / "templates" / "glossary.toml"
+    content = tomllib.loads(path.read_text(encoding="utf-8"))
+    terms = (Term(**{**each, "see": tuple(each.get("see", ()))}) for each in content["term"])
+    return Glossary(
+        terms=tuple(sorted(terms, key=lambda term: term.name.lower())), rooms=content["rooms"]
+    )
+
+
+def term_link(name: str, text: str = "", *, markdown: bool) -> Markup:
+    """Return a link from a page to a word; `text` stands in its place in the sentence.
+
+    Raises InputError for a word that the glossary does not have.
+    """
+    found = next((term for term in glossary().terms if term.name == name), None)
+    if found is None:
+        message = f"{name!r} is not in glossary.toml"
+        raise InputError(message)
+    shown = text or name
+    if markdown:
+        return Markup("[{}]({}.md#{})").format(shown, PAGE, found.anchor)
+    return Markup('<a class="term" href="{}.html#{}">{}</a>').format(PAGE, found.anchor, shown)
+
+
+def main() -> None:
+    """Write the words as a page of the manual."""
+    from repro.report.rendering import render  # noqa: PLC0415 (which names the links above)
+
+    text = render("manual-glossary.md", {"terms": glossary().terms})
+    Path(sys.argv[1]).write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
