@@ -78,6 +78,25 @@ def test_a_locale_without_letters_stops_nothing(tmp_path: Path) -> None:
     assert "Traceback" not in done.stderr
 
 
+def test_odd_variables_all_at_once_stop_nothing(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("no folder can be made below it")
+    nowhere = str(tmp_path / "file" / "x")
+    folders = ("HOME", "TMPDIR", "XDG_CACHE_HOME", "MPLCONFIGDIR", "NUMBA_CACHE_DIR")
+    odd = {
+        **dict.fromkeys((*folders, "SQLITE_TMPDIR", "MATPLOTLIBRC"), nowhere),
+        **dict.fromkeys(("LANG", "LC_ALL", "TZ", "TERM", "NUMBA_OPT", "COLUMNS"), "nonsense"),
+        **dict.fromkeys(("OMP_NUM_THREADS", "NUMBA_NUM_THREADS", "LINES"), "0"),
+        **{"NO_COLOR": "1", "PYTHONOPTIMIZE": "2", "PYTHONHASHSEED": "7"},
+    }
+
+    done = called("reproduce", "--repeats", "1", "--protocol-only", cwd=tmp_path, **odd)
+
+    assert done.returncode == 0, done.stderr
+    assert "Traceback" not in done.stderr
+    assert (tmp_path / "reports" / "index.html").exists()
+    assert (tmp_path / "file").is_file()
+
+
 def test_code_that_cannot_be_kept_is_said_before_any_run(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
