@@ -26,7 +26,7 @@ from repro.report.frames import (
 from repro.report.results import Json, read_results
 from repro.report.run_files import place_of_runs, read_runs
 from repro.runs.raw_runs import PROTOCOL
-from repro.runs.store.file import NAME
+from repro.runs.store.settled import NAME
 
 RESULTS = "results.json"
 

@@ -9,7 +9,8 @@ from typing import TextIO
 from repro.commands.streams import FitForTerminal
 from repro.runs.plan import Task
 from repro.runs.run import Record
-from repro.runs.time_left import Kind, TimeLeft, kind_of
+from repro.runs.store.questions import Kind
+from repro.runs.time_left import TimeLeft, kind_of
 
 PLAIN_SECONDS = 10.0  # between two plain lines
 TERMINAL_SECONDS = 0.25  # between two redraws

@@ -19,7 +19,7 @@ from repro.errors import SOME_RUN_FAILED, Terminated
 from repro.report.earlier import check_folder
 from repro.report.files import usable_folder
 from repro.report.results import Json, read_results
-from repro.runs.plan import Task, plan
+from repro.runs.plan import Task, plan, planned
 from repro.runs.run import Record
 from repro.runs.session import mended
 from repro.runs.store.store import Store
@@ -30,15 +30,18 @@ def run(options: Namespace) -> int:
     """Run, judge, write; the last line says what differs from the expected verdicts."""
     chosen = catalogue.chosen(options)
     keys, known = [paper.key for paper in chosen], catalogue.order(chosen)
-    tasks = plan(chosen, options.repeats, options.master_seed, protocol_only=options.protocol_only)
+    tasks = planned(
+        chosen, options.repeats, options.master_seed, protocol_only=options.protocol_only
+    )
     lists = _looked_at(options, keys, known)
     written = Written(
         tasks=tasks, chosen=keys, known=known,
         declarations=catalogue.folders(), reports=options.reports,
     )  # fmt: skip
 
-    def pages(of: Sequence[Task], deeper: Run = lambda _: None) -> Json:
-        return write_pages(store, chosen, of, options.reports, known, deeper, called=options.called)
+    def pages(of: Sequence[Task], deeper: Run | None = None) -> Json:
+        said = {"called": options.called, "places": options.places}
+        return write_pages(store, chosen, of, options.reports, known, deeper, **said)
 
     def work() -> tuple[list[Record], Json | None]:
         if catalogue.of_this_house(options.places.values()) and written.stand(store):
@@ -76,18 +79,18 @@ def _run(
     `at_first`, the first repeat of every protocol, comes first, and provisional pages are written
     of it. Where the call is interrupted after that, they are written again of what there is.
     """
-    missing = store.missing(tasks)
-    first = {task.key for task in at_first}
-    rest = [task for task in missing if task.key not in first]
+    lacks_first = any(store.lacking(at_first))
     progress = Progress()
-    progress.expect(missing, store.seconds() if missing else {})
+    progress.expect(store.lacking(tasks), store.seconds())
     failed: list[Record] = []
-    if len(rest) < len(missing):
+    if lacks_first:
         failed = run_lacking(store, at_first, options, progress)
-        if rest:
+        if progress.expecting:
             with progress.paused():
                 pages(at_first)
             _say_provisional(options.reports, "of one repeat; the runs go on")
+    tried = {record.task.key for record in failed}
+    rest = [task for task in tasks if task.key not in tried] if tried else tasks
     try:
         return [*failed, *run_lacking(store, rest, options, progress)]
     except Terminated:

@@ -25,7 +25,7 @@ def run_lacking(
     missing = partial(run_missing, store, tasks, environment=environment, report=report)
     if isinstance(report, Progress):
         if not report.expecting:
-            report.expect(store.missing(tasks), store.seconds())
+            report.expect(store.lacking(tasks), store.seconds())
         missing = partial(missing, note=report.note)
     if options.dask:
         with dask_cluster.cluster(options.dask) as (executor, threads):

@@ -1,9 +1,8 @@
 """Writing the reports folder: pages, figures, tables and results.json."""
 
 import shlex
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from pathlib import Path
 from types import MappingProxyType
 
 from repro.audit.arms import rows_of_arm
@@ -14,32 +13,24 @@ from repro.model.identifiers import anchor
 from repro.model.paper import Paper
 from repro.report.calibration import calibration
 from repro.report.drawings.draw import Drawing, draw
-from repro.report.files import remove_ours, usable_folder, write_file
 from repro.report.frames import DIGITS, FINDING, csv_text, findings_frame
 from repro.report.glossary import PAGE, glossary
 from repro.report.rendering import render
 from repro.report.results import (
-    PROVENANCE,
     Environments,
+    Files,
     Json,
+    Made,
     cell_counts,
     impossible_rows,
-    merged,
-    merged_provenance,
     paper_result,
     provenance_entry,
-    read_json,
-    read_results,
-    results_text,
     verdict_counts,
 )
 from repro.report.rooms import (
-    OURS,
     Room,
-    check_apart,
     neighbours,
     page_of,
-    pages_of_paper,
     rooms_with,
 )
 from repro.report.run_files import packed_runs, place_of_runs
@@ -56,49 +47,23 @@ from repro.report.views.times import times_drawn
 from repro.report.views.weighed import weighed
 from repro.tables.rows import AuditRow
 
-Files = dict[str, str | bytes]
 ANOTHER_SEED = "another-seed.json"
 
 
-def write_report(
-    judgements: Iterable[Judgement],
-    folder: Path,
-    known: Sequence[str],
-    *,
-    environments: Mapping[str, Environments],
-    master_seed: str = "",
-    called: Mapping[str, str] = MappingProxyType({}),
-) -> Json:
-    """Write the pages of what was judged, the index and results.json; return the results.
+def made_of(
+    judgement: Judgement, environments: Environments, master_seed: str = "", called: str = ""
+) -> Made:
+    """Return all that is written of a paper.
 
-    `known` are the keys of all papers, in their order; entries of others are kept from before.
-    `environments` says by paper in what its runs were made; that and how long they took stands in
-    a file of its own, so that equal runs give equal pages. `called` says what papers from
-    elsewhere than this checkout are called at the command line.
+    `environments` says in what its runs were made; that and how long they took stands in a file of
+    its own, so that equal runs give equal pages. `called` says what a paper from elsewhere than
+    this checkout is called at the command line.
     """
-    usable_folder(folder)
-    files: Files = {}
-    entries, made = [], {}
-    for judgement in judgements:
-        key = judgement.paper.key
-        entry, own = _paper_files(judgement, master_seed, called.get(key, ""))
-        check_apart(files, own, key)
-        files |= own
-        entries.append(entry)
-        made[key] = provenance_entry(judgement, environments.get(key, []), called.get(key, ""))
-    results = merged(entries, read_results(folder / "results.json"), known)
-    files["results.json"] = results_text(results)
-    kept = [entry["key"] for entry in results["papers"]]
-    provenance = merged_provenance(made, read_json(folder / PROVENANCE), kept)
-    files[PROVENANCE] = results_text(provenance)
-    # pages of papers that were made by another call stay, and so does what those are called
-    all_called = {key: each.get("called", "") for key, each in provenance["papers"].items()}
-    files |= index_files(results, read_json(folder / ANOTHER_SEED), all_called) | verdict_files()
-    for name, content in files.items():
-        write_file(folder / name, content)
-    for page in (page for key in made for page in pages_of_paper(key) if page not in files):
-        remove_ours(folder / page, f'<meta name="generator" content="{OURS}">')
-    return results
+    entry, files = _paper_files(judgement, master_seed, called)
+    provenance = provenance_entry(judgement, environments, called)
+    outside = [each.says for each in judgement.outside if each.outside]
+    says = [f"{judgement.paper.key}, {each}" for each in outside]
+    return Made(entry=entry, provenance=provenance, files=files, says=says)
 
 
 def _paper_files(judgement: Judgement, master_seed: str, called: str) -> tuple[Json, Files]:

@@ -1,9 +1,11 @@
 """Everything that is to be run, in order, each run with a name, a seed and a key."""
 
 import hashlib
-from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
-from typing import Any
+from bisect import bisect_right
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import accumulate
+from typing import Any, overload
 
 from repro.determinism.source_digests import Told, together, told
 from repro.errors import DeclarationError, InputError
@@ -17,6 +19,7 @@ from repro.runs.studies import Study, studies
 Memory = dict[tuple[str, int], tuple[object, Told]]
 """What objects are, each by its place and the number of the object."""
 
+HELD = 200_000  # runs, of 0.25 kB
 _RULES = (conduct, fault)  # by which every run is made and judged sound
 
 
@@ -55,12 +58,86 @@ class Task:
         return "/".join(map(str, (self.seed, *parts) if self.seed else parts))
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Cell:
+    """The runs of one algorithm on one problem of an experiment, `repeats` times over."""
+
+    paper: str
+    experiment: Experiment
+    problem: str
+    algorithm: str
+    repeats: int
+    seed: str
+    inputs: str  # a digest of all that decides the outcome but the seeds
+
+    def __len__(self) -> int:
+        return self.repeats * self.experiment.runs
+
+    def task(self, number: int) -> Task:
+        """Return a run, counted from 0 repeat by repeat."""
+        before, after = divmod(number, self.experiment.runs)
+        repeat, run = before + 1, after + 1
+        each, drawn_as = self.experiment, self.experiment.drawn_as
+        place = (self.seed, self.paper, each.name, self.problem, self.algorithm, repeat, run)
+        return Task(
+            paper=self.paper,
+            experiment=each.name,
+            problem=self.problem,
+            algorithm=self.algorithm,
+            repeat=repeat,
+            run=run,
+            key=_digest(self.inputs, *place, *((drawn_as,) if drawn_as else ())),
+            optimiser=each.algorithms[self.algorithm],
+            subject=each.problems[self.problem],
+            population=each.population,
+            iterations=each.iterations,
+            evaluations=each.evaluations,
+            seed=self.seed,
+            drawn_as=drawn_as,
+        )
+
+
+class _LongPlan(Sequence[Task]):
+    """Runs that are made again whenever they are asked for, and so take no memory."""
+
+    def __init__(self, cells: Sequence[_Cell]) -> None:
+        self._cells = cells
+        self._ends = list(accumulate(map(len, cells)))
+
+    def __len__(self) -> int:
+        return self._ends[-1] if self._ends else 0
+
+    def __iter__(self) -> Iterator[Task]:
+        return (cell.task(number) for cell in self._cells for number in range(len(cell)))
+
+    @overload
+    def __getitem__(self, index: int) -> Task: ...
+    @overload
+    def __getitem__(self, index: slice) -> Sequence[Task]: ...
+    def __getitem__(self, index: int | slice) -> Task | Sequence[Task]:
+        if isinstance(index, slice):
+            return tuple(self[k] for k in range(*index.indices(len(self))))
+        position = range(len(self))[index]
+        at = bisect_right(self._ends, position)
+        return self._cells[at].task(position - (self._ends[at - 1] if at else 0))
+
+
 def plan(
     papers: Iterable[Paper], repeats: int, seed: str = "", *, protocol_only: bool = False
 ) -> tuple[Task, ...]:
     """Return every run of the papers' protocols, `repeats` times over, then of their studies.
 
     Repeats are counted from 1; `seed` is a master seed, which makes every run another one.
+    """
+    return tuple(planned(papers, repeats, seed, protocol_only=protocol_only))
+
+
+def planned(
+    papers: Iterable[Paper], repeats: int, seed: str = "", *, protocol_only: bool = False
+) -> Sequence[Task]:
+    """Return what `plan` does, however long it is.
+
+    More than `HELD` runs are not held, but made again in each pass over them.
     """
     if repeats < 1:
         message = f"repeats is {repeats}; it must be 1 or more"
@@ -75,15 +152,13 @@ def plan(
         for paper in declared
         for study in (() if protocol_only else studies(paper, repeats))
     ]
-    return tuple(
-        task
+    cells = [
+        cell
         for paper, experiment, times in (*protocols, *besides)
-        for problem in experiment.problems
-        for algorithm in experiment.algorithms
-        for task in _cell(
-            paper.key, experiment, problem, algorithm, repeats=times, seed=seed, memory=memory
-        )
-    )
+        for cell in _cells(paper.key, experiment, times, seed, memory)
+    ]
+    found = _LongPlan(cells)
+    return tuple(found) if len(found) <= HELD else found
 
 
 def deeper_tasks(
@@ -94,18 +169,9 @@ def deeper_tasks(
     return tuple(
         task
         for study in besides
-        for problem in study.experiment.problems
-        for algorithm in study.experiment.algorithms
-        if (cell := (study.experiment.name, problem, algorithm)) in depths
-        for task in _cell(
-            paper.key,
-            study.experiment,
-            problem,
-            algorithm,
-            repeats=depths[cell],
-            seed=seed,
-            memory=memory,
-        )
+        for cell in _cells(paper.key, study.experiment, 0, seed, memory)
+        if (depth := depths.get((study.experiment.name, cell.problem, cell.algorithm)))
+        for task in _LongPlan([replace(cell, repeats=depth)])
     )
 
 
@@ -115,49 +181,22 @@ def tasks_of(
     """Yield every run of experiments, so many times over each, cell by cell."""
     memory: Memory = {}
     for experiment, times in experiments:
-        for problem in experiment.problems:
-            for algorithm in experiment.algorithms:
-                yield from _cell(
-                    paper.key,
-                    experiment,
-                    problem,
-                    algorithm,
-                    repeats=times,
-                    seed=seed,
-                    memory=memory,
-                )
+        yield from _LongPlan(list(_cells(paper.key, experiment, times, seed, memory)))
 
 
-def _cell(
-    paper: str,
-    experiment: Experiment,
-    problem: str,
-    algorithm: str,
-    *,
-    repeats: int,
-    seed: str,
-    memory: Memory,
-) -> Iterable[Task]:
-    inputs = made_of(experiment, problem, algorithm, memory).digest
-    for repeat in range(1, repeats + 1):
-        for run in range(1, experiment.runs + 1):
-            place = (seed, paper, experiment.name, problem, algorithm, repeat, run)
-            drawn_as = (experiment.drawn_as,) if experiment.drawn_as else ()
-            yield Task(
+def _cells(
+    paper: str, experiment: Experiment, repeats: int, seed: str, memory: Memory
+) -> Iterator[_Cell]:
+    for problem in experiment.problems:
+        for algorithm in experiment.algorithms:
+            yield _Cell(
                 paper=paper,
-                experiment=experiment.name,
+                experiment=experiment,
                 problem=problem,
                 algorithm=algorithm,
-                repeat=repeat,
-                run=run,
-                key=_digest(inputs, *place, *drawn_as),
-                optimiser=experiment.algorithms[algorithm],
-                subject=experiment.problems[problem],
-                population=experiment.population,
-                iterations=experiment.iterations,
-                evaluations=experiment.evaluations,
+                repeats=repeats,
                 seed=seed,
-                drawn_as=experiment.drawn_as,
+                inputs=made_of(experiment, problem, algorithm, memory).digest,
             )
 
 

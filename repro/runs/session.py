@@ -31,10 +31,10 @@ def run_missing(
 
     `note` is told of every record, `report` (done, to do) after every batch.
     """
-    missing = store.missing(tasks)
+    total = sum(1 for _ in store.lacking(tasks))
     failed: list[Record] = []
     done = 0
-    here = environment() if missing else {}
+    here = environment() if total else {}
     begun: Mapping[str, object] | None = None
 
     def keep(records: list[Record]) -> None:
@@ -48,9 +48,10 @@ def run_missing(
         for record in records:
             note(record)
         done += len(records)
-        report(done, len(missing))
+        report(done, total)
 
-    run_all(missing, executor, workers, keep, batch_seconds=batch_seconds)
+    # asked for again while runs are handed out, so that many more than fit in memory can be
+    run_all(store.lacking(tasks), executor, workers, keep, batch_seconds=batch_seconds)
     return failed
 
 

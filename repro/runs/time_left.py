@@ -12,9 +12,7 @@ from dataclasses import dataclass
 
 from repro.runs.plan import Task
 from repro.runs.run import holds_interpreter
-
-Kind = tuple[str, str, str, str]
-"""Paper, experiment, problem and algorithm."""
+from repro.runs.store.questions import Kind
 
 STATED = {False: 0.5e-6, True: 25e-6}
 """Seconds that an evaluation takes where nothing is known: of compiled searches, of others."""

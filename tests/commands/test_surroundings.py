@@ -13,6 +13,8 @@ from tests.small_papers import PAPER, let_be_known
 
 PAPERS = """
 from repro.__main__ import main
+from repro.commands.surroundings import prepare
+prepare()  # as main does before anything is loaded
 from tests.small_papers import PAPER, let_be_known
 import pytest, sys
 with pytest.MonkeyPatch.context() as patch:

@@ -8,7 +8,8 @@ from repro.functions import FUNCTIONS
 from repro.optimisers import WOA
 from repro.optimisers.libraries import CMAES
 from repro.runs.plan import Task
-from repro.runs.time_left import Kind, TimeLeft, kind_of
+from repro.runs.store.questions import Kind
+from repro.runs.time_left import TimeLeft, kind_of
 
 SPHERE = FUNCTIONS["sphere"].problem(2)
 ONE = Task(
@@ -112,4 +113,4 @@ def test_phase_after_another_knows_what_its_kinds_took() -> None:
     left.expect([ONE] * 11, {})
     left.note(kind_of(ONE), 3.0)
 
-    assert left.outlook(1.5) == (pytest.approx(1 / 11), pytest.approx(15.0))
+    assert left.outlook(1.5) == pytest.approx((1 / 11, 15.0))

@@ -19,7 +19,8 @@ from numpy.typing import NDArray
 
 from repro.errors import InputError, StoreError
 from repro.runs.plan import plan
-from repro.runs.run import execute
+from repro.runs.run import execute, failed
+from repro.runs.store import questions
 from repro.runs.store.file import APPLICATION, SCHEMA
 from repro.runs.store.store import Store, finished_keys
 from tests.small_papers import LOST, Failing, searching
@@ -98,12 +99,33 @@ def test_missing_are_the_tasks_without_a_run_in_their_order(tmp_path: Path) -> N
         assert store.missing(TASKS) == [TASKS[0], TASKS[2], TASKS[3], TASKS[5]]
 
 
-def test_failed_run_is_kept_with_its_reason_and_tried_again(tmp_path: Path) -> None:
-    tasks = plan([searching(bad=Failing())], 1)
-    failed = execute(tasks[0])
+def test_keys_that_are_too_many_to_hold_are_looked_up(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(questions, "HELD", 1)
     with Store(tmp_path) as store:
         store.begin(ENVIRONMENT)
-        store.add([failed])
+        store.add([RECORDS[4], RECORDS[1], failed(TASKS[0], "lost", 0.0)])
+
+        assert store.missing(TASKS) == [TASKS[0], TASKS[2], TASKS[3], TASKS[5]]
+
+
+def test_seconds_of_a_kind_leave_its_longest_run_out(tmp_path: Path) -> None:
+    took = (7.0, 1.0, 3.0)
+    alike = [r for r in RECORDS if r.task.algorithm == RECORDS[0].task.algorithm][:3]
+    with Store(tmp_path) as store:
+        store.begin(ENVIRONMENT)
+        store.add([replace(r, seconds=s) for r, s in zip(alike, took, strict=True)])
+
+        assert list(store.seconds().values()) == [2.0]
+
+
+def test_failed_run_is_kept_with_its_reason_and_tried_again(tmp_path: Path) -> None:
+    tasks = plan([searching(bad=Failing())], 1)
+    lost = execute(tasks[0])
+    with Store(tmp_path) as store:
+        store.begin(ENVIRONMENT)
+        store.add([lost])
         (found,) = store.records(tasks)
         assert (found.reason, math.isnan(found.cost)) == (LOST, True)
         assert store.missing(tasks) == list(tasks)
