@@ -42,18 +42,23 @@ class Written:
         """
         try:
             kept = (store.folder / _NAME).read_text(encoding="utf-8")
+            runs = store.fingerprint()
+            if runs is None or kept != self._digests(runs):
+                return False
         except (OSError, ValueError):
-            return False
-        runs = store.fingerprint()
-        if runs is None or kept != self._digests(runs):
             return False
         return not any(store.lacking(self.tasks))
 
     def remember(self, store: Store) -> None:
         """Keep digests of the pages just written and of what they follow from."""
         runs = store.fingerprint()
-        if runs is not None:
-            write_file(store.folder / _NAME, self._digests(runs))
+        if runs is None:
+            return
+        try:
+            digests = self._digests(runs)
+        except OSError:  # of a file there that may not be read
+            return
+        write_file(store.folder / _NAME, digests)
 
     def _digests(self, runs: str) -> str:
         """Return the place of the reports, a digest of what they follow from, and one of them."""
