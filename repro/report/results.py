@@ -21,6 +21,7 @@ SCHEMA = 2
 BEFORE = 1
 """The schema of five verdicts, without groups, readings of every number, tests and standings."""
 PROVENANCE = "provenance.json"
+LINE = 160  # characters, the longest line of what is not a single text
 Json = dict[str, Any]
 Environments = list[dict[str, object]]
 Files = dict[str, str | bytes]
@@ -176,8 +177,27 @@ def read_json(path: Path) -> Json | None:
 
 
 def results_text(results: Json) -> str:
-    """Return results.json as text."""
-    return json.dumps(results, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+    """Return results.json as text: what fits on a line stands on one."""
+    return _lines(results) + "\n"
+
+
+def _lines(value: object, depth: int = 1) -> str:
+    """Return a value as JSON, a part of it on a line of its own where it is long."""
+    whole = json.dumps(value, ensure_ascii=False, allow_nan=False)
+    if len(whole) <= LINE or not isinstance(value, dict | list):
+        return whole
+    blanks = " " * depth
+    if isinstance(value, dict):
+        keys = (json.dumps(str(name), ensure_ascii=False) for name in value)
+        parts = [
+            f"{name}: {_lines(own, depth + 1)}"
+            for name, own in zip(keys, value.values(), strict=True)
+        ]
+    else:
+        parts = [_lines(own, depth + 1) for own in value]
+    opened, closed = "{}" if isinstance(value, dict) else "[]"
+    body = ",\n".join(f"{blanks}{part}" for part in parts)
+    return f"{opened}\n{body}\n{blanks[1:]}{closed}"
 
 
 def impossible_rows(entry: Mapping[str, Any]) -> list[Json]:

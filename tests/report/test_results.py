@@ -1,14 +1,23 @@
+import json
 from pathlib import Path
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from repro.report.calibration import calibration
 from repro.report.results import (
+    LINE,
     merged,
     merged_provenance,
     read_results,
     read_results_of_any_age,
     results_text,
+)
+
+JSON = st.recursive(
+    st.none() | st.booleans() | st.integers() | st.text(),
+    lambda inner: st.lists(inner) | st.dictionaries(st.text(), inner),
 )
 
 
@@ -56,3 +65,13 @@ def test_provenance_of_papers_that_are_not_redone_is_kept_and_that_of_gone_ones_
     found = merged_provenance({"b": {"seconds": 4}}, old, ["a", "b", "c"])
 
     assert found == {"papers": {"a": {"seconds": 1}, "b": {"seconds": 4}}}
+
+
+@given(JSON)
+def test_results_read_back_as_they_are_and_only_a_text_makes_a_line_long(content: object) -> None:
+    text = results_text({"papers": content})
+
+    assert json.loads(text) == {"papers": content}
+    assert text == results_text(json.loads(text))
+    long = [line for line in text.splitlines() if len(line) > LINE + 20]
+    assert all(line.count('"') >= 2 for line in long)

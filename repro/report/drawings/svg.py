@@ -13,7 +13,7 @@ WIDEST = "42rem"  # the text in a drawing then stands at about the size of the p
 INK = "#1a1a1a"
 _UNWANTED = re.compile(r"<metadata>.*?</metadata>|<!--.*?-->|<style.*?</style>", re.DOTALL)
 _COORDINATES = re.compile(r'(?<= )(d|x|y|width|height|transform)="([^"]*)"')
-_LONG_DECIMAL = re.compile(r"-?\d+\.\d{3,}")
+_LONG_DECIMAL = re.compile(r"-?\d+\.\d{2,}")
 
 
 def inline_svg(canvas: Figure, *, identifier: str, title: str, description: str) -> str:
@@ -57,10 +57,10 @@ def standalone(svg: str) -> str:
 
 
 def _rounded(body: str) -> str:
-    """Return the body with coordinates in hundredths of a point, which no eye can tell apart."""
+    """Return the body with coordinates in tenths of a point, a sixth of a pixel where a drawing is widest."""
 
     def short(decimal: re.Match[str]) -> str:
-        return f"{float(decimal[0]):.2f}".rstrip("0").rstrip(".")
+        return f"{float(decimal[0]):.1f}".rstrip("0").rstrip(".")
 
     def attribute(match: re.Match[str]) -> str:
         numbers = _LONG_DECIMAL.sub(short, match[2])
