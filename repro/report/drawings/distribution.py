@@ -19,7 +19,7 @@ LINE = 0.24  # in, from one algorithm to the next
 LONGEST = 9  # letters of a name in one line
 QUANTILES = (0.0, 0.25, 0.5, 0.75, 1.0)
 RANGE: Style = {"color": "#0072B2", "linewidth": 1.2, "solid_capstyle": "butt"}
-HALF: Style = {"color": "#0072B2", "linewidth": 5.0, "solid_capstyle": "butt", "alpha": 0.55}
+HALF: Style = {"color": "#0072B2", "linewidth": 5.0, "solid_capstyle": "butt"}
 MEDIAN: Style = {
     "color": "#000000", "linestyle": "none", "marker": "|", "markersize": 9.0,
     "markeredgewidth": 1.6,
