@@ -11,6 +11,7 @@ from repro.commands.written_pages import made_pages, write_made
 from repro.errors import InputError
 from repro.model.paper import Paper
 from repro.report.earlier import check_folder
+from repro.report.files import usable_folder
 from repro.runs.plan import plan
 from repro.runs.store.store import Store
 
@@ -19,6 +20,7 @@ def run(options: Namespace) -> int:
     """Write the pages; InputError where there is no store."""
     chosen = catalogue.chosen(options)
     known = catalogue.order(chosen)
+    usable_folder(options.reports)
     check_folder(options.reports, [paper.key for paper in chosen], known)
     with Store(options.store, writing=False) as store:
         if not store.path.exists():
