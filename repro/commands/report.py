@@ -20,12 +20,12 @@ def run(options: Namespace) -> int:
     """Write the pages; InputError where there is no store."""
     chosen = catalogue.chosen(options)
     known = catalogue.order(chosen)
-    usable_folder(options.reports)
     check_folder(options.reports, [paper.key for paper in chosen], known)
     with Store(options.store, writing=False) as store:
         if not store.path.exists():
             message = f"there is no store in {options.store}; `repro reproduce` makes one"
             raise InputError(message)
+        usable_folder(options.reports)
         asked = [_asked(paper, options) for paper in chosen]
         made = made_pages(store, asked, options.places, known)
         write_made(made, options.reports, known)
