@@ -42,7 +42,8 @@ def _install(session: nox.Session, lock: str) -> None:
 
 
 def _readme(session: nox.Session) -> None:
-    session.run("python", "-m", "repro.report.readme", "README.md", "reports/verdicts.md")
+    parts = ("reports/finding.md", "reports/verdicts.md")
+    session.run("python", "-m", "repro.report.readme", "README.md", *parts)
 
 
 @nox.session

@@ -246,7 +246,10 @@ def _check_spline(
 ) -> None:
     """Raise Faulty for what a spline does not admit."""
     if "jerk" in limits:
-        message = "jerk: a spline's is not certified; leave it out, or take another law"
+        message = (
+            "jerk: a spline's is not certified, for it is of second degree in the durations over "
+            "the fifth power of their rate; leave it out, or take another law"
+        )
         raise Faulty(message)
     for key in ("start_velocity", "end_velocity"):
         speeds = row_of_numbers(given, key, joints)

@@ -3,7 +3,10 @@
 Read with yourdfpy (https://github.com/clemense/yourdfpy), which comes with the extra `urdf`.
 """
 
+import logging
 import math
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -31,27 +34,35 @@ def read_urdf(path: Path) -> tuple[Chain, dict[str, Rows]]:
         message = f"robot {path}: pip install 'repro-whales[urdf]' to read robot descriptions"
         raise InputError(message) from None
     try:
-        robot = URDF.load(str(path), build_scene_graph=False, load_meshes=False)
+        with _quiet():
+            robot = URDF.load(str(path), build_scene_graph=False, load_meshes=False)
         joints = _chain(list(robot.robot.joints))
+        chain = _joined(joints)
     except InputError as error:
         message = f"robot {path}: {error}"
         raise InputError(message) from None
     except Exception as error:  # noqa: BLE001 (whatever a parser raises for what is no URDF)
         message = f"robot {path}: is no URDF: {' '.join(str(error).split())[:200]}"
         raise InputError(message) from None
-    return _joined(joints), _limits([joint for joint in joints if joint.type in MOVING])
+    return chain, _limits([joint for joint in joints if joint.type in MOVING])
+
+
+@contextmanager
+def _quiet() -> Iterator[None]:
+    """Keep the parser's own log to itself: what it could not read is one line here."""
+    before = logging.root.manager.disable
+    logging.disable()
+    try:
+        yield
+    finally:
+        logging.disable(before)
 
 
 def _chain(joints: list[Any]) -> list[Any]:
     """Return the joints from the base to the last one that moves, in order."""
     by_child = {joint.child: joint for joint in joints}
     moving = [joint for joint in joints if joint.type in MOVING and joint.mimic is None]
-    chains = []
-    for joint in moving:
-        chain = [joint]
-        while chain[0].parent in by_child:
-            chain.insert(0, by_child[chain[0].parent])
-        chains.append(chain)
+    chains = [_from_base(joint, by_child) for joint in moving]
     if not chains:
         message = "no joint of it moves"
         raise InputError(message)
@@ -67,12 +78,31 @@ def _chain(joints: list[Any]) -> list[Any]:
     return longest
 
 
+def _from_base(joint: Any, by_child: dict[str, Any]) -> list[Any]:  # noqa: ANN401 (yourdfpy's)
+    """Return the joints that lead to this one, itself the last."""
+    chain = [joint]
+    while chain[0].parent in by_child:
+        before = by_child[chain[0].parent]
+        if any(before is other for other in chain):
+            message = f"is no chain: joint {before.name} comes back to itself"
+            raise InputError(message)
+        if before.type not in {*MOVING, "fixed"}:
+            known = ", ".join((*MOVING, "fixed"))
+            message = f"joint {before.name} is {before.type}: an arm's are {known}"
+            raise InputError(message)
+        chain.insert(0, before)
+    return chain
+
+
 def _joined(joints: list[Any]) -> Chain:
     before, moving = np.eye(4), []
     for joint in joints:
         before = before @ (np.eye(4) if joint.origin is None else np.array(joint.origin))
         if joint.type in MOVING:
             axis = np.array([1.0, 0.0, 0.0] if joint.axis is None else joint.axis, dtype=float)
+            if not np.linalg.norm(axis) > 0.0:
+                message = f"axis of joint {joint.name} is 0: it has no direction"
+                raise InputError(message)
             x, y, z = (axis / np.linalg.norm(axis)).tolist()
             moving.append(
                 Joint(

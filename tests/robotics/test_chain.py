@@ -1,5 +1,6 @@
 import importlib.util
 import math
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -106,10 +107,32 @@ def test_prismatic_and_continuous_joints_of_a_description(tmp_path: Path) -> Non
             joint("one", "continuous", "a", "b") + joint("two", "continuous", "a", "c"),
             "is no single chain: two move beside one",
         ),
+        (
+            joint("one", "continuous", "a", "b") + joint("two", "continuous", "b", "a"),
+            "is no chain: joint (one|two) comes back to itself",
+        ),
+        (
+            joint("one", "floating", "a", "b") + joint("two", "continuous", "b", "c"),
+            "joint one is floating: an arm's are revolute, continuous, prismatic, fixed",
+        ),
+        (joint("one", "continuous", "a", "b", '<axis xyz="0 0 0"/>'), "axis of joint one is 0"),
         ("<joint", "is no URDF"),
     ],
 )
-def test_what_is_no_single_arm_is_refused(joints: str, fault: str, tmp_path: Path) -> None:
+def test_what_is_no_single_arm_is_refused(
+    joints: str, fault: str, tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
     with pytest.raises(InputError, match=fault) as raised:
         read_urdf(described(tmp_path, joints))
     assert "\n" not in str(raised.value)
+    assert caplog.text == ""  # the parser's own words, which would stand beside the one line
+
+
+@needs_yourdfpy
+def test_entities_that_grow_are_not_unfolded(tmp_path: Path) -> None:
+    path = tmp_path / "bomb.urdf"
+    grown = "".join(f'<!ENTITY {b} "{10 * f"&{a};"}">' for a, b in pairwise("abcdefghij"))
+    path.write_text(f'<!DOCTYPE r [<!ENTITY a "ha">{grown}]><robot name="r">&j;</robot>')
+
+    with pytest.raises(InputError, match=r"bomb\.urdf: "):
+        read_urdf(path)
