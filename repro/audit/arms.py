@@ -83,8 +83,8 @@ def _below_rows(paper: str, arm: Arm, same: Sequence[_Way]) -> Iterator[AuditRow
         (
             f"the lowest point of the links comes to {_mm(lowest)} mm from the plane z = 0 of the "
             f"base frame, {_corner(*which, len(arm.dh))}, the tool to {_mm(tool)} mm, whatever the "
-            f"durations, for the path is the same; below the plane, by {SAMPLES:,} instants of each "
-            f"segment: {times}"
+            f"durations, for the path is the same; below the plane, by {SAMPLES:,} instants of "
+            f"each segment: {times}"
         ),
         f"the arm stands on the plane z = 0 of the base frame{_unsaid_height(arm)}",
     )
