@@ -42,7 +42,8 @@ def _install(session: nox.Session, lock: str) -> None:
 
 
 def _readme(session: nox.Session) -> None:
-    session.run("python", "-m", "repro.report.readme", "README.md", "reports/verdicts.md")
+    parts = ("reports/finding.md", "reports/verdicts.md")
+    session.run("python", "-m", "repro.report.readme", "README.md", *parts)
 
 
 @nox.session
@@ -317,7 +318,7 @@ def _pythons(session: nox.Session) -> dict[tuple[int, ...], str]:
     listing = ("uv", "python", "list", "--only-installed", "--output-format", "json")
     environment = {"PATH": os.pathsep.join(folders), "UV_PYTHON_DOWNLOADS": "never"}
     told = session.run(*listing, env=environment, silent=True, stderr=None)
-    found = {}
+    found: dict[tuple[int, ...], str] = {}
     for each in json.loads(str(told)):
         version = tuple(map(int, each["version"].split(".")[:2])) if each["path"] else ()
         if each["implementation"] == "cpython" and version >= LOWEST:

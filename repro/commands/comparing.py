@@ -39,7 +39,7 @@ def compared(
     *,
     ready: Callable[[], object] = tuple,
 ) -> Comparison:
-    """Run the searches as far as the store lacks them, make one again, and judge them all.
+    """Run the searches as far as the store lacks them, make one again, and judge all.
 
     Options say where and by whom runs are made (`store`, `workers`, `dask`, `called`); `reporting`
     makes what shows progress, once for the protocols and once for moved optima; `ready` is called
@@ -50,29 +50,26 @@ def compared(
     ready()
     say_whether_kept()
     used = libraries(getattr(search, "place", "") for search in asked.searches.values())
+    made = partial(run_lacking, options=options, environment=partial(_environment, used))
     with Store(options.store, say=options.say) as store:
-        environment = partial(_environment, used)
-        failed = run_lacking(store, tasks, options, reporting(), environment)
+        failed = made(store, tasks, report=reporting())
         remember(options.store, _noted(asked, own))
         stored = {record.task.key: record for record in store.records(tasks)}
-        aside = _moved(asked, own, stored.values())
-        failed += run_lacking(store, aside, options, reporting(), environment) if aside else []
+        if aside := _moved(asked, own, stored.values()):
+            failed += made(store, aside, report=reporting())
         parts = tuple(
-            part for key, paper in own.items()
-            for part in _parts(store, next(p for p in papers if p.key == key), paper, tasks, asked)
+            part for paper in papers if paper.key in own
+            for part in _parts(store, paper, own[paper.key], tasks, asked)
         )  # fmt: skip
     with local(checked_workers(options.workers)) as executor:
         seen = probed(tasks, stored, executor)
     warnings = (*seen, *identical(tasks, stored), *chance_warnings(part.found for part in parts))
     return Comparison(
-        asked=asked,
-        parts=parts,
+        asked=asked, parts=parts,
         records=tuple(stored[task.key] for task in tasks if task.key in stored),
-        failed=tuple(failed),
-        warnings=warnings,
-        missing=tuple(_missing(parts, asked, options)),
-        libraries=used,
-    )
+        failed=tuple(failed), warnings=warnings,
+        missing=tuple(_missing(parts, asked, options)), libraries=used,
+    )  # fmt: skip
 
 
 def silence() -> Callable[[int, int], None]:

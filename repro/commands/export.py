@@ -18,7 +18,7 @@ from repro.report.files import usable_folder, write_file
 from repro.report.frames import csv_text
 from repro.report.ioh_files import ioh_files
 from repro.report.latex_tables import latex_table
-from repro.runs.store.file import NAME
+from repro.runs.store.settled import NAME
 
 Written = Iterator[Path]
 KINDS = ("findings", "audit", "certificates", "tests", "standings")

@@ -2,6 +2,7 @@
 
 import sys
 from argparse import Namespace
+from pathlib import Path
 
 from repro.commands.shown_rows import show_json
 from repro.errors import InputError
@@ -15,7 +16,7 @@ def run(options: Namespace) -> int:
     for path in (options.first, options.second):
         found = read_results_of_any_age(path)
         if found is None:
-            message = f"{path}: no results are there"
+            message = f"{path}: {_why_none(path)}"
             raise InputError(message)
         both.append(found)
     compared = compare(*both)
@@ -24,3 +25,13 @@ def run(options: Namespace) -> int:
     else:
         sys.stdout.write(compared.as_text())
     return 0
+
+
+def _why_none(path: Path) -> str:
+    try:
+        path.open("rb").close()
+    except FileNotFoundError:
+        return "no results are there"
+    except OSError as error:
+        return f"it cannot be read: {error.strerror}"
+    return "it holds no results of repro"

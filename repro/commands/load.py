@@ -11,9 +11,10 @@ import pandas as pd
 from matplotlib.figure import Figure
 
 from repro.commands.catalogue import found_papers
-from repro.commands.plots import Plots
+from repro.commands.plots import Marks, Plots, marks_of_findings
 from repro.commands.stored_results import Stored
 from repro.errors import InputError
+from repro.judge.centre_bias import Bias
 from repro.report.drawings.style import Plot
 from repro.report.frames import (
     audit_frame,
@@ -24,9 +25,9 @@ from repro.report.frames import (
     standings_frame,
 )
 from repro.report.results import Json, read_results
-from repro.report.run_files import place_of_runs, read_runs
+from repro.report.run_files import place_of_biases, place_of_runs, read_biases, read_runs
 from repro.runs.raw_runs import PROTOCOL
-from repro.runs.store.file import NAME
+from repro.runs.store.settled import NAME
 
 RESULTS = "results.json"
 
@@ -53,6 +54,12 @@ class Place(Protocol):
 
     def figure(self, key: str, label: str) -> Plot:
         """Return a declared figure of a paper, drawn."""
+
+    def marks(self, key: str, experiment: str, problem: str) -> Marks:
+        """Return the printed costs on a problem by algorithm and statistic."""
+
+    def biases(self, key: str, experiment: str) -> list[Bias]:
+        """Return what moved optima do to each algorithm of an experiment."""
 
     def curves(self, key: str, cell: tuple[str, str, str], study: str) -> pd.DataFrame:
         """Return the best cost of every run after each iteration."""
@@ -124,6 +131,20 @@ class Results:
         figure: Figure = self.source.figure(key, label).canvas
         return figure
 
+    def marks(self, key: str, experiment: str, problem: str) -> Marks:
+        """Return the printed costs on a problem, by algorithm and statistic."""
+        self._checked(key)
+        return self.source.marks(key, experiment, problem)
+
+    def biases(self, key: str, experiment: str) -> list[Bias]:
+        """Return what moved optima do to each algorithm; InputError where none was moved."""
+        self._checked(key)
+        found = self.source.biases(key, experiment)
+        if not found:
+            message = f"no optimum of {experiment} of {key} was moved in {self.source.place}"
+            raise InputError(message)
+        return found
+
     @property
     def plot(self) -> Plots:
         """The figures of the pages, as axes of matplotlib."""
@@ -186,6 +207,15 @@ class Reports:
     def figure(self, key: str, label: str) -> Plot:
         """Raise InputError: pages hold no curves."""
         raise self._without_curves(key, label, PROTOCOL)
+
+    def marks(self, key: str, experiment: str, problem: str) -> Marks:  # noqa: ARG002
+        """Return the printed costs as the findings name them, whatever the experiment."""
+        entry = next(entry for entry in self.entries() if entry["key"] == key)
+        return marks_of_findings(entry["findings"], problem)
+
+    def biases(self, key: str, experiment: str) -> list[Bias]:
+        """Return what the table of the page says."""
+        return read_biases(self.place / place_of_biases(key, experiment))
 
     def _without_curves(self, key: str, what: str, study: str) -> InputError:
         return InputError(

@@ -12,7 +12,6 @@ from repro.runs.plan import Memory, made_of
 
 _NAME = "made-of.json"
 _DIGITS = 12  # of a digest: it is compared with one other
-_SHOWN = 4  # changed parts that a line names
 Cells = Mapping[str, Mapping[str, str]]
 
 
@@ -44,13 +43,6 @@ def changed_since(store: Path, paper: Paper) -> dict[tuple[str, str, str], tuple
             experiment, problem, algorithm = place
             found[experiment, problem, algorithm] = changed
     return found
-
-
-def in_words(changed: Iterable[str]) -> str:
-    """Return changed parts as the end of "changed since: …"."""
-    names = list(dict.fromkeys(changed))
-    more = f" and {len(names) - _SHOWN} more" if len(names) > _SHOWN else ""
-    return ", ".join(names[:_SHOWN]) + more
 
 
 def _now(papers: Iterable[Paper]) -> Iterator[tuple[str, Mapping[str, str]]]:

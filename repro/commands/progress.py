@@ -62,7 +62,7 @@ class Progress:
         self._said = now
         share, seconds = self._left.outlook(now - self._start)
         text = (
-            f"{self._total - left}/{self._total} runs ({100 * share:.0f} % of the time), "
+            f"{self._total - left}/{self._total} runs ({100 * share:.0f} %), "
             f"{duration(seconds)} left: {self._at}"
         )
         if self._terminal:

@@ -39,8 +39,9 @@ def run(options: Namespace) -> int:
         declarations=catalogue.folders(), reports=options.reports,
     )  # fmt: skip
 
-    def pages(of: Sequence[Task], deeper: Run = lambda _: None) -> Json:
-        return write_pages(store, chosen, of, options.reports, known, deeper, called=options.called)
+    def pages(of: Sequence[Task], deeper: Run | None = None) -> Json:
+        said = {"called": options.called, "places": options.places}
+        return write_pages(store, chosen, of, options.reports, known, deeper, **said)
 
     def work() -> tuple[list[Record], Json | None]:
         if catalogue.of_this_house(options.places.values()) and written.stand(store):

@@ -13,8 +13,12 @@ import pandas as pd
 
 from repro.commands.written_pages import judged
 from repro.errors import InputError
+from repro.judge.centre_bias import Bias, centre_biases
+from repro.model.claims import CellClaim
 from repro.model.experiment import Experiment
+from repro.model.measures.measure import Statistic
 from repro.model.paper import Paper
+from repro.report.drawings.distribution import MARKS
 from repro.report.drawings.draw import plot_of
 from repro.report.drawings.style import Plot, drawing_style
 from repro.report.frames import runs_frame
@@ -121,6 +125,28 @@ class Stored:
             message = f"no experiment {name!r} of {key}; there are: {', '.join(known)}"
             raise InputError(message)
         return list(known[name].algorithms)
+
+    def marks(self, key: str, experiment: str, problem: str) -> dict[str, dict[str, float]]:
+        """Return the printed costs on a problem, as the paper claims them."""
+        found: dict[str, dict[str, float]] = {}
+        for claim in self._paper(key).claims:
+            measure = claim.measure
+            if isinstance(claim, CellClaim) and isinstance(measure, Statistic):
+                place = (measure.experiment, measure.problem, measure.quantity)
+                if place == (experiment, problem, "cost") and measure.statistic in MARKS:
+                    found.setdefault(measure.algorithm, {})[measure.statistic] = claim.printed.si
+        return found
+
+    def biases(self, key: str, experiment: str) -> list[Bias]:
+        """Return what moved optima do to each algorithm, of the runs that there are."""
+        paper = self._paper(key)
+        with self._opened() as (store, repeats):
+            besides = [s for s in studies(paper, max(2, repeats)) if s.kind == "shift"]
+            names = {experiment, *(s.experiment.name for s in besides)}
+            planned = plan([paper], max(2, repeats))
+            evidence = gather(store, paper, (t for t in planned if t.experiment in names), besides)
+        biases = centre_biases(paper, evidence)
+        return [b for found in biases if found.experiment.name == experiment for b in found.biases]
 
     def cells(self, key: str) -> Iterator[tuple[Experiment, list[Record]]]:
         """Yield the finished runs of a paper, those of one algorithm on one problem at a time.

@@ -7,14 +7,13 @@ bytes. Whatever it does not know of counts as a change: without a digest pages a
 """
 
 import hashlib
-import importlib.metadata
-import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import repro
 from repro.determinism.provenance import provenance
+from repro.determinism.trees import installed, tree
 from repro.report.files import write_file
 from repro.runs.plan import Task
 from repro.runs.store.store import Store
@@ -43,50 +42,39 @@ class Written:
         """
         try:
             kept = (store.folder / _NAME).read_text(encoding="utf-8")
+            runs = store.fingerprint()
+            if runs is None or kept != self._digests(runs):
+                return False
         except (OSError, ValueError):
-            return False
-        runs = store.fingerprint()
-        if runs is None or kept != self._digests(runs):
             return False
         return not any(store.lacking(self.tasks))
 
     def remember(self, store: Store) -> None:
         """Keep digests of the pages just written and of what they follow from."""
         runs = store.fingerprint()
-        if runs is not None:
-            write_file(store.folder / _NAME, self._digests(runs))
+        if runs is None:
+            return
+        try:
+            digests = self._digests(runs)
+        except OSError:  # of a file there that may not be read
+            return
+        write_file(store.folder / _NAME, digests)
 
     def _digests(self, runs: str) -> str:
         """Return the place of the reports, a digest of what they follow from, and one of them."""
         digest = hashlib.sha256()
-        for part in (self.chosen, self.known, *_installed(), *_machine()):
+        for part in (self.chosen, self.known, *installed(), *machine()):
             digest.update(f"{part}\0".encode())
         for folder in (*repro.__path__, *self.declarations):
-            digest.update(_tree(Path(folder)))
+            digest.update(tree(Path(folder)))
         for task in self.tasks:
             digest.update(task.key.encode())
         digest.update(runs.encode())
-        return f"{self.reports.resolve()}\n{digest.hexdigest()}\n{_tree(self.reports).hex()}\n"
+        return f"{self.reports.resolve()}\n{digest.hexdigest()}\n{tree(self.reports).hex()}\n"
 
 
-def _tree(folder: Path) -> bytes:
-    """Return a digest of the names and the bytes of all files in a folder but compiled ones."""
-    digest = hashlib.sha256()
-    for path in sorted(folder.rglob("*")):
-        if path.is_file() and "__pycache__" not in path.parts:
-            content = path.read_bytes()
-            digest.update(f"{path.relative_to(folder)}\0{len(content)}\0".encode())
-            digest.update(content)
-    return digest.digest()
-
-
-def _installed() -> Iterator[str]:
-    yield sys.version
-    for distribution in importlib.metadata.distributions():
-        yield f"{distribution.name} {distribution.version}"
-
-
-def _machine() -> Iterator[str]:
+def machine() -> Iterator[str]:
+    """Yield what decides the last bits of a run here, and where it is made."""
     for name, value in provenance().items():
         if name not in _OF_THE_DAY:
             yield f"{name} {value}"

@@ -1,24 +1,41 @@
 """From a store to pages: what `reproduce` ends with and `report` does alone."""
 
-from collections.abc import Callable, Mapping, Sequence
+import json
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from types import MappingProxyType
 
+from repro.commands.kept_listing import FOLDER
+from repro.commands.kept_pages import Request, extent_of, names_of, packed, unpacked
 from repro.commands.shown_rows import warn
 from repro.judge.judgement import Judgement, judge
 from repro.model.evidence import Cell, Runs
 from repro.model.paper import Paper
 from repro.report.earlier import keep_earlier
-from repro.report.pages import write_report
-from repro.report.results import Json
-from repro.runs.gather import gather
+from repro.report.kept import find, keep
+from repro.report.pages import made_of
+from repro.report.results import Json, Made
+from repro.report.writing import write_report
+from repro.runs.gather import cell_of, gather
 from repro.runs.plan import Task, deeper_tasks
 from repro.runs.raw_runs import RawRuns, drawn_as
 from repro.runs.store.store import Store
 from repro.runs.studies import studies
+from repro.runs.workers.local import usable_cores
+from repro.runs.workers.side_by_side import side_by_side
 
 Run = Callable[[Sequence[Task]], None]
+_WANTS = b"wants "  # no JSON object begins so
+
+
+class WantedError(Exception):
+    """Runs are wanted, so many repeats of some cells, that only the first process can make."""
+
+    def __init__(self, depths: Mapping[Cell, int]) -> None:
+        """Keep how many repeats of which cells."""
+        self.depths = depths
 
 
 def write_pages(
@@ -27,38 +44,122 @@ def write_pages(
     tasks: Sequence[Task],
     folder: Path,
     known: Sequence[str],
-    run: Run = lambda _: None,
+    run: Run | None = None,
     called: Mapping[str, str] = MappingProxyType({}),
+    places: Mapping[str, Path] = MappingProxyType({}),
 ) -> Json:
     """Judge the papers by what the store has of the tasks, write the pages, return the results.
 
     `known` are the keys of all papers, in their order. `run` makes the runs that a reading needs
     besides, before it may turn a verdict; without it the store's are taken. `called` says what
-    papers from elsewhere than this checkout are called at the command line.
+    papers from elsewhere than this checkout are called at the command line, `places` where each
+    is declared: pages of those of this house are kept, and taken again while nothing changes.
     """
-    keep_earlier(folder, [paper.key for paper in chosen], known, warn)
     own = {paper.key: [task for task in tasks if task.paper == paper.key] for paper in chosen}
-    return write_report(
-        (_told(judged(store, paper, own[paper.key], run)) for paper in chosen),
-        folder,
-        known,
-        environments={key: store.environments(tasks) for key, tasks in own.items()},
-        master_seed=tasks[0].seed if tasks else "",
-        called=called,
-    )
+    asked = [
+        Request(
+            paper=paper,
+            tasks=partial(own.__getitem__, paper.key),
+            extent=extent_of(own[paper.key]),
+            called=called.get(paper.key, ""),
+        )
+        for paper in chosen
+    ]
+    return write_made(made_pages(store, asked, places, known, run), folder, known)
 
 
-def _told(judgement: Judgement) -> Judgement:
-    """Warn of searches whose best points lie outside the box, and return the judgement."""
-    for each in judgement.outside:
-        if each.outside:
-            warn(f"{judgement.paper.key}, {each.says}")
-    return judgement
+def write_made(papers: Sequence[Made], folder: Path, known: Sequence[str]) -> Json:
+    """Write the pages of papers, say what is to be said of them, and return the results."""
+    keep_earlier(folder, [made.entry["key"] for made in papers], known, warn)
+    for line in (line for made in papers for line in made.says):
+        warn(line)
+    return write_report(papers, folder, known)
 
 
-def judged(
-    store: Store, paper: Paper, tasks: Sequence[Task], run: Run = lambda _: None
-) -> Judgement:
+def made_pages(
+    store: Store,
+    asked: Sequence[Request],
+    places: Mapping[str, Path],
+    known: Sequence[str],
+    run: Run | None = None,
+) -> list[Made]:
+    """Return what is written of each paper: as it was kept, else made, several at a time.
+
+    It is the same to the last bit wherever it comes from.
+    """
+    names = names_of(store, asked, places, known)
+    found = {key: find(store.folder / FOLDER, name) for key, name in names.items()}
+    left = [each for each in asked if found.get(each.paper.key) is None]
+    made = dict(_made(store, left, run))
+    if run and made:  # runs were made meanwhile, on which the pages rest
+        names = names_of(store, left, places, known)
+    for key in made.keys() & names.keys():
+        keep(store.folder / FOLDER, names[key], made[key])
+    found |= made
+    return [unpacked(found[each.paper.key] or b"") for each in asked]
+
+
+def _made(store: Store, left: Sequence[Request], run: Run | None) -> Iterator[tuple[str, bytes]]:
+    """Yield what is made of papers; after runs that one wants it is judged again."""
+    tried: set[tuple[str, bytes]] = set()
+    if left:
+        import scipy.stats  # noqa: F401, PLC0415 (slow to load, and once for all copies)
+    while left:
+        left = sorted(left, key=lambda each: -each.extent.runs)
+        calls = [partial(_apart, store.folder, each, ask=run is not None) for each in left]
+        with store.set_down():
+            answers = side_by_side(calls, usable_cores())
+        again = []
+        for each, answer in zip(left, answers, strict=True):
+            wants = answer is not None and answer.startswith(_WANTS)
+            if answer and wants and run and (each.paper.key, answer) not in tried:
+                tried.add((each.paper.key, answer))
+                run(_wanted(each, answer))
+                again.append(each)
+            else:  # a copy that failed, or wants what cannot be made, has its say here
+                yield each.paper.key, pages(store, each, run) if wants or not answer else answer
+        left = again
+
+
+def _apart(folder: Path, asked: Request, *, ask: bool) -> bytes:
+    """Return what is made of a paper in a copy of the process that has the store."""
+    with Store(folder, writing=False) as store:
+
+        def wanted(more: Sequence[Task]) -> None:
+            finished = store.finished(asked.paper.key)
+            if ask and any(task.key not in finished for task in more):
+                raise WantedError({cell_of(task): task.repeat for task in more})
+
+        try:
+            return pages(store, asked, wanted)
+        except WantedError as error:
+            depths = [(*cell, depth) for cell, depth in error.depths.items()]
+            return _WANTS + json.dumps(depths).encode()
+
+
+def _wanted(asked: Request, answer: bytes) -> Sequence[Task]:
+    """Return the runs that a copy wants."""
+    depths = {tuple(cell): depth for *cell, depth in json.loads(answer.removeprefix(_WANTS))}
+    tasks = asked.tasks()
+    others = studies(asked.paper, max(task.repeat for task in tasks))
+    return deeper_tasks(asked.paper, others, depths, tasks[0].seed)
+
+
+def pages(store: Store, asked: Request, run: Run | None = None) -> bytes:
+    """Return all that is written of a paper, packed."""
+    tasks = asked.tasks()
+    judgement = judged(store, asked.paper, tasks, run or _none)
+    seed = tasks[0].seed if tasks else ""
+    made = made_of(judgement, store.environments(tasks), seed, asked.called)
+    missing = len({task.key for task in tasks} - store.finished(asked.paper.key))
+    return packed(replace(made, tasks=len(tasks), missing=missing))
+
+
+def _none(_: Sequence[Task]) -> None:
+    """Make no runs."""
+
+
+def judged(store: Store, paper: Paper, tasks: Sequence[Task], run: Run = _none) -> Judgement:
     """Return the judgement of one paper; `tasks` are its own."""
     others = studies(paper, max((task.repeat for task in tasks), default=1))
     seed = tasks[0].seed if tasks else ""

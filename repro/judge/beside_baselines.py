@@ -6,7 +6,6 @@ from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.stats import rankdata
 
 from repro.judge.certificates import Certificate
 from repro.judge.known_minimum import KnownMinimum, known_minimum
@@ -149,6 +148,8 @@ def _standing(name: str, kind: StandingKind, runs: Runs, minimum: KnownMinimum |
 
 def _ranked(rows: Sequence[Standing], leave_out: Iterable[str]) -> tuple[Standing, ...]:
     """Return the rows with the ranks of those that spend the same budget."""
+    from scipy.stats import rankdata  # noqa: PLC0415 (slow to load)
+
     unfair = {(name, "printed protocol") for name in leave_out}
     equal = [row for row in rows if (row.algorithm, row.kind) not in unfair]
     ranks = iter(rankdata([row.mean for row in equal]))
@@ -195,6 +196,8 @@ def budget_rows(experiment: Experiment, runs: Mapping[Cell, Runs]) -> tuple[Budg
 def _mean_ranks(
     experiment: Experiment, runs: Mapping[Cell, Runs], place: Mapping[str, str]
 ) -> Mapping[str, float]:
+    from scipy.stats import rankdata  # noqa: PLC0415 (slow to load)
+
     means = [
         [mean(runs[place[name], problem, name].costs[0]) for name in place]
         for problem in experiment.problems

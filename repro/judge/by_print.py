@@ -10,6 +10,7 @@ from repro.model.evidence import Evidence
 from repro.model.measures.measure import ALL, Measure, Measured, Statistic
 from repro.model.paper import Paper
 from repro.statistics.summary import STATISTICS
+from repro.tables.published import UNITS
 
 
 def printed_evidence(paper: Paper) -> Evidence:
@@ -43,3 +44,13 @@ def by_print(measure: Measure | None, printed: Evidence) -> float | None:
         return measure.measure(printed).value
     except (KeyError, ReproError):
         return None
+
+
+def printed_sizes(paper: Paper) -> tuple[float | None, ...]:
+    """Return what each claim's measure is by the printed numbers, in the claim's unit."""
+    printed = printed_evidence(paper)
+    sizes = (by_print(claim.measure, printed) for claim in paper.said)
+    return tuple(
+        None if size is None else size / UNITS[claim.printed.unit]
+        for claim, size in zip(paper.said, sizes, strict=True)
+    )

@@ -12,7 +12,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.stats import rankdata
 
 from repro.determinism.seeds import generator
 from repro.model.evidence import Evidence
@@ -203,6 +202,8 @@ def standings(
 
     They are ranked by the mean cost itself, as papers rank them, however small it is.
     """
+    from scipy.stats import rankdata  # noqa: PLC0415 (slow to load)
+
     found = []
     for shift in (0.0, *shifts_of(costs)):
         means = [[mean(costs[shift, p, name].ravel()) for name in algorithms] for p in problems]

@@ -2,9 +2,9 @@
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
-from repro.judge.findings import EvidenceUnder, bears, judged
+from repro.judge.findings import EvidenceUnder, judged, outcomes_under
 from repro.judge.other_readings import evidence_under_readings
-from repro.judge.turning import Weighed, seeming
+from repro.judge.turning import seeming
 from repro.model.claims import Claim
 from repro.model.evidence import Cell, Evidence, Runs
 from repro.model.paper import Paper
@@ -71,21 +71,11 @@ def _wanted(
     """Return cells, by the names under which they were run, and the depth that each should have."""
     for position, claim in enumerate(claims):
         own = judged(claim, evidence)[1]
-        under = list(_outcomes(position, claim, others)) if own else []
+        under = list(outcomes_under(position, claim, others)) if own else []
         doubtful = seeming(own, [outcome for _, outcome in under]) if own else ()
         for other, outcome in under:
             if own and outcome in doubtful:
                 yield from _twice(position, other, evidence, own.shown.repeats)
-
-
-def _outcomes(
-    position: int, claim: Claim, others: Sequence[EvidenceUnder]
-) -> Iterator[tuple[EvidenceUnder, Weighed]]:
-    for other in others:
-        if bears(position, claim, other):
-            found = judged(other.claims[position], other.evidence, reading=other.reading)[1]
-            if found:
-                yield other, found
 
 
 def _twice(

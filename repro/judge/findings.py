@@ -1,7 +1,7 @@
 """From evidence to findings: every printed number and claim with interval, band and verdict."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
 
 from repro.judge.turning import ReadingOutcome, Weighed, turned
 from repro.judge.verdict import Unseen, Verdict, unseen, verdict_of
@@ -30,6 +30,14 @@ class EvidenceUnder:
     claims: tuple[Claim, ...]
     evidence: Evidence
     changed: dict[Cell, Cell]
+    weighed: dict[int, Weighed | None] = field(default_factory=dict, compare=False, repr=False)
+
+    def outcome(self, position: int) -> Weighed | None:
+        """Return what becomes of the claim at a position, found once; None where it is not run."""
+        if position not in self.weighed:
+            found = judged(self.claims[position], self.evidence, reading=self.reading)
+            self.weighed[position] = found[1]
+        return self.weighed[position]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -85,18 +93,22 @@ def bears(position: int, own: Claim, other: EvidenceUnder) -> bool:
     return claim is not own or not other.changed.keys().isdisjoint(cells)
 
 
+def outcomes_under(
+    position: int, claim: Claim, others: Iterable[EvidenceUnder]
+) -> Iterator[tuple[EvidenceUnder, Weighed]]:
+    """Yield what becomes of the claim at a position under each reading that bears on it."""
+    for other in others:
+        if bears(position, claim, other) and (found := other.outcome(position)):
+            yield other, found
+
+
 def _under_all(
     position: int, claim: Claim, evidence: Evidence, others: Sequence[EvidenceUnder]
 ) -> Finding:
     own, outcome = judged(claim, evidence)
     if outcome is None:
         return own
-    outcomes = []
-    for other in others:
-        if bears(position, claim, other):
-            _, found = judged(other.claims[position], other.evidence, reading=other.reading)
-            if found:
-                outcomes.append(found)
+    outcomes = [found for _, found in outcomes_under(position, claim, others)]
     turns_on = turned(outcome, outcomes)
     shown = tuple(other.shown for other in outcomes)
     if not turns_on:
@@ -118,19 +130,20 @@ def judged(
         names = ", ".join("/".join(cell) for cell in absent)
         return _unsaid(claim, Verdict.NOT_RUN, note=f"no whole repeat of {names}"), None
     measured = claim.measure.measure(evidence)
-    found = _found(claim, measured)
+    interval = _interval(claim, measured)
+    found = _found(claim, measured, interval)
     shown = ReadingOutcome(
         reading=reading.name if reading else "",
         verdict=found.verdict,
         side=found.side,
-        measured=_interval(claim, measured),
+        measured=interval,
         repeats=measured.repeats,
     )
     return found, Weighed(shown=shown, reading=reading, p=_p_value(claim, measured))
 
 
-def _found(claim: Claim, measured: Measured) -> Finding:
-    interval, accepted = _interval(claim, measured), claim.accepted.band(claim.printed)
+def _found(claim: Claim, measured: Measured, interval: Interval) -> Finding:
+    accepted = claim.accepted.band(claim.printed)
     verdict, side = verdict_of(interval, _printed(claim), accepted)
     note = PROVISIONAL if measured.repeats == 1 else ""
     if measured.repeats == 1 and measured.thin and verdict is Verdict.CONTRADICTED:

@@ -48,20 +48,29 @@ class Evidence:
     """Runs by (experiment, problem, algorithm); a cell that was not run whole is absent.
 
     `key` is the paper's; of two `experiments` with one name the first counts. What is measured is
-    remembered, since many claims share it.
+    remembered, since many claims share it: with other runs of the cells `own`, all that does not
+    rest on them by the evidence beneath, `base`.
     """
 
     key: str
     experiments: tuple[Experiment, ...]
     runs: Mapping[Cell, Runs]
     remembered: dict[object, Any] = field(default_factory=dict, compare=False, repr=False)
+    base: "Evidence | None" = field(default=None, compare=False, repr=False)
+    own: frozenset[Cell] = field(default=frozenset(), compare=False, repr=False)
 
     def experiment(self, name: str) -> Experiment:
         """Return the experiment of that name."""
         return next(e for e in self.experiments if e.name == name)
 
     def remember(self, what: object, find: Callable[[], T]) -> T:
-        """Return what was found before under that name, else find it."""
+        """Return what was found before under that name, else find it.
+
+        What rests on no cell whose runs are others is remembered by the evidence beneath, too.
+        """
+        cells = getattr(what, "cells", None)
+        if self.base and cells and self.own.isdisjoint(cells()):
+            return self.base.remember(what, find)
         if what not in self.remembered:
             self.remembered[what] = find()
         found: T = self.remembered[what]
@@ -70,16 +79,15 @@ class Evidence:
     def under(self, experiments: Iterable[Experiment], runs: Mapping[Cell, Runs]) -> "Evidence":
         """Return the evidence with other experiments and runs in the place of some.
 
-        What was measured of the runs that stay is remembered.
+        `runs` are those of every cell whose search, problem or protocol is another one.
         """
-        others = tuple(experiments)
-        changed = {other.name for other in others}
-        kept = {
-            what: found
-            for what, found in self.remembered.items()
-            if hasattr(what, "cells") and not any(cell[0] in changed for cell in what.cells())
-        }
-        return Evidence(self.key, (*others, *self.experiments), {**self.runs, **runs}, kept)
+        return Evidence(
+            self.key,
+            (*experiments, *self.experiments),
+            {**self.runs, **runs},
+            base=self,
+            own=frozenset(runs),
+        )
 
     def deeper(self, runs: Mapping[Cell, Runs]) -> "Evidence":
         """Return the evidence with more repeats of cells that nothing remembered rests on."""

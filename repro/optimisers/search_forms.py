@@ -114,6 +114,9 @@ def check_form(found: Any, place: str) -> None:  # noqa: ANN401 (whatever the us
     if called is None:
         message = f"{place} is neither an object with minimise(problem, …) nor a callable {CALL}"
         raise InputError(message)
+    if inspect.iscoroutinefunction(called) or inspect.isgeneratorfunction(called):
+        message = f"{place} cannot be called as {CALL}: it returns before it has searched"
+        raise InputError(message)
     if not is_called_by_place(called) and (because := _because(called)):
         message = f"{place} cannot be called as {CALL}{because}"
         raise InputError(message)

@@ -1,6 +1,7 @@
 """Printed tables beside their re-run, in LaTeX as journals want them (package booktabs)."""
 
 import re
+import unicodedata
 
 import pandas as pd
 
@@ -13,6 +14,17 @@ _SPECIAL = {
     "_": r"\_", "%": r"\%", "^": r"\textasciicircum{}", "~": r"\textasciitilde{}",
     "<": r"\textless{}", ">": r"\textgreater{}", "|": r"\textbar{}", '"': r"\textquotedbl{}",
     "−": "$-$", "×": r"$\times$", "±": r"$\pm$", "–": "--", "…": r"\dots{}", "°": r"$^\circ$",
+    "≤": r"$\leq$", "≥": r"$\geq$", "≈": r"$\approx$", "∞": r"$\infty$", "√": r"$\surd$",
+    "µ": r"$\mu$", "·": r"$\cdot$", "→": r"$\rightarrow$", "ο": "o",
+    "⁻": "$^-$",
+    **{mark: f"$^{k}$" for k, mark in enumerate("⁰¹²³⁴⁵⁶⁷⁸⁹")},
+    **{mark: f"$_{k}$" for k, mark in enumerate("₀₁₂₃₄₅₆₇₈₉")},
+    # letters that no text font of LaTeX has
+    **{letter: rf"$\{unicodedata.name(letter).rpartition(' ')[2].lower()}$"
+       for letter in "αβγδεζηθικμνξπρστυφχψω"},
+    **{letter: rf"$\{unicodedata.name(letter).rpartition(' ')[2].capitalize()}$"
+       for letter in "ΓΔΘΞΠΣΥΦΨΩ"},
+    "λ": r"$\lambda$", "Λ": r"$\Lambda$",
 }  # fmt: skip
 _POWER = re.compile(r"×10\^(-?\d+)")
 _LACKS = "--"
@@ -36,7 +48,6 @@ def latex_table(findings: pd.DataFrame, name: str) -> str:
         for row in dict.fromkeys(findings["row"])
     ]
     heads = "".join(rf" & \multicolumn{{2}}{{c}}{{{escaped(column)}}}" for column in columns)
-    caption = f"{escaped(first['table'])} of {escaped(first['paper'])}, as printed and re-run"
     rules = "".join(rf"\cmidrule(lr){{{k}-{k + 1}}}" for k in range(2, 2 * len(columns) + 1, 2))
     caption = f"{escaped(first['table'])} of {escaped(first['paper'])}, as printed and re-run"
     return "\n".join([

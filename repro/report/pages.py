@@ -1,9 +1,8 @@
 """Writing the reports folder: pages, figures, tables and results.json."""
 
 import shlex
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from pathlib import Path
 from types import MappingProxyType
 
 from repro.audit.arms import rows_of_arm
@@ -14,32 +13,25 @@ from repro.model.identifiers import anchor
 from repro.model.paper import Paper
 from repro.report.calibration import calibration
 from repro.report.drawings.draw import Drawing, draw
-from repro.report.files import remove_ours, usable_folder, write_file
+from repro.report.drawings.svg import standalone
 from repro.report.frames import DIGITS, FINDING, csv_text, findings_frame
 from repro.report.glossary import PAGE, glossary
 from repro.report.rendering import render
 from repro.report.results import (
-    PROVENANCE,
     Environments,
+    Files,
     Json,
+    Made,
     cell_counts,
     impossible_rows,
-    merged,
-    merged_provenance,
     paper_result,
     provenance_entry,
-    read_json,
-    read_results,
-    results_text,
     verdict_counts,
 )
 from repro.report.rooms import (
-    OURS,
     Room,
-    check_apart,
     neighbours,
     page_of,
-    pages_of_paper,
     rooms_with,
 )
 from repro.report.run_files import packed_runs, place_of_runs
@@ -49,56 +41,32 @@ from repro.report.views.calibration import truthful
 from repro.report.views.findings import Shown, bare_table, everything, table_view, tallies
 from repro.report.views.heat_map import heat_map
 from repro.report.views.line_plot import least_values
+from repro.report.views.picture import picture
 from repro.report.views.readings import ruled_out_by, settings_of
-from repro.report.views.runs import runs_view
+from repro.report.views.runs import RunsView, runs_view
 from repro.report.views.search_box import search_index
+from repro.report.views.sizes import sized
 from repro.report.views.times import times_drawn
 from repro.report.views.weighed import weighed
 from repro.tables.rows import AuditRow
 
-Files = dict[str, str | bytes]
 ANOTHER_SEED = "another-seed.json"
 
 
-def write_report(
-    judgements: Iterable[Judgement],
-    folder: Path,
-    known: Sequence[str],
-    *,
-    environments: Mapping[str, Environments],
-    master_seed: str = "",
-    called: Mapping[str, str] = MappingProxyType({}),
-) -> Json:
-    """Write the pages of what was judged, the index and results.json; return the results.
+def made_of(
+    judgement: Judgement, environments: Environments, master_seed: str = "", called: str = ""
+) -> Made:
+    """Return all that is written of a paper.
 
-    `known` are the keys of all papers, in their order; entries of others are kept from before.
-    `environments` says by paper in what its runs were made; that and how long they took stands in
-    a file of its own, so that equal runs give equal pages. `called` says what papers from
-    elsewhere than this checkout are called at the command line.
+    `environments` says in what its runs were made; that and how long they took stands in a file of
+    its own, so that equal runs give equal pages. `called` says what a paper from elsewhere than
+    this checkout is called at the command line.
     """
-    usable_folder(folder)
-    files: Files = {}
-    entries, made = [], {}
-    for judgement in judgements:
-        key = judgement.paper.key
-        entry, own = _paper_files(judgement, master_seed, called.get(key, ""))
-        check_apart(files, own, key)
-        files |= own
-        entries.append(entry)
-        made[key] = provenance_entry(judgement, environments.get(key, []), called.get(key, ""))
-    results = merged(entries, read_results(folder / "results.json"), known)
-    files["results.json"] = results_text(results)
-    kept = [entry["key"] for entry in results["papers"]]
-    provenance = merged_provenance(made, read_json(folder / PROVENANCE), kept)
-    files[PROVENANCE] = results_text(provenance)
-    # pages of papers that were made by another call stay, and so does what those are called
-    all_called = {key: each.get("called", "") for key, each in provenance["papers"].items()}
-    files |= index_files(results, read_json(folder / ANOTHER_SEED), all_called) | verdict_files()
-    for name, content in files.items():
-        write_file(folder / name, content)
-    for page in (page for key in made for page in pages_of_paper(key) if page not in files):
-        remove_ours(folder / page, f'<meta name="generator" content="{OURS}">')
-    return results
+    entry, files = _paper_files(judgement, master_seed, called)
+    provenance = provenance_entry(judgement, environments, called)
+    outside = [each.says for each in judgement.outside if each.outside]
+    says = [f"{judgement.paper.key}, {each}" for each in outside]
+    return Made(entry=entry, provenance=provenance, files=files, says=says)
 
 
 def _paper_files(judgement: Judgement, master_seed: str, called: str) -> tuple[Json, Files]:
@@ -107,7 +75,7 @@ def _paper_files(judgement: Judgement, master_seed: str, called: str) -> tuple[J
     entry = paper_result(judgement, master_seed)
     runs = runs_view(judgement)
     times = times_drawn(judgement)
-    rooms = _rooms(judgement, drawings, timed=bool(times))
+    rooms = _rooms(judgement, drawings, runs, timed=bool(times))
     entry["rooms"] = [room.name for room in rooms]
     context = _context(judgement, entry, drawings, called) | runs.context()
     context["times_drawn"] = times
@@ -115,9 +83,11 @@ def _paper_files(judgement: Judgement, master_seed: str, called: str) -> tuple[J
     for before, here, after in neighbours(rooms):
         own = {"here": here, "before": before, "after": after, "rooms": rooms}
         files[page_of(key, here)] = render("paper.html", context | own)
-    files[f"{key}.md"] = render("paper.md", context)
+    files[f"{key}.md"] = render("paper.md", context | {"rooms": rooms})
+    files |= _data(judgement, entry, drawings) | runs.files(key)
     files |= {f"tables/{key}-{name}.csv": csv_text(d.frame, DIGITS) for name, d in times}
-    return entry, files | _data(judgement, entry, drawings) | runs.files(key)
+    files |= {f"figures/{key}-{name}.svg": standalone(d.svg) for name, d in times}
+    return entry, files
 
 
 def _context(
@@ -126,10 +96,11 @@ def _context(
     """Return what the templates of a paper's pages name, less what is drawn of the runs."""
     paper = judgement.paper
     calibrated = calibration()["rows"]
-    found = everything(
+    told = everything(
         *(judgement.findings, judgement.audit, settings_of(paper), ruled_out_by(paper)),
         least=least_values(paper.claims, judgement.certificates),
     )
+    found = sized(told, paper)
     return {
         "paper": paper,
         "called": called,
@@ -151,7 +122,9 @@ def _context(
     }
 
 
-def _rooms(judgement: Judgement, drawings: Sequence[Drawing], *, timed: bool) -> tuple[Room, ...]:
+def _rooms(
+    judgement: Judgement, drawings: Sequence[Drawing], runs: RunsView, *, timed: bool
+) -> tuple[Room, ...]:
     """Return the rooms that the paper fills; `timed` where times are drawn."""
     live = [drawing for drawing in drawings if drawing.scene]
     filled = {
@@ -159,6 +132,8 @@ def _rooms(judgement: Judgement, drawings: Sequence[Drawing], *, timed: bool) ->
         "optimum": judgement.certificates,
         "figures": len(drawings) > len(live),
         "arm": live,
+        "distributions": runs.distributions,
+        "centre_bias": runs.centre_biases or runs.shiftable,
         "formulas": judgement.paper.formulas,
     }
     return rooms_with(lambda section: bool(filled.get(section, True)))
@@ -226,7 +201,7 @@ def index_files(
     another_seed: Json | None = None,
     called: Mapping[str, str] = MappingProxyType({}),
 ) -> dict[str, str]:
-    """Return the index pages and the table of verdicts alone.
+    """Return the index pages, and what the README has of them: table, findings and picture.
 
     `another_seed` is what `repro flips --json` said of these results and those of another seed;
     `called` says what papers that are not of this checkout are called at the command line.
@@ -246,7 +221,11 @@ def index_files(
         "another_seed": another_seed,
         "again": _all_again(papers, called),
     }
-    return {name: render(name, context) for name in ("index.html", "index.md", "verdicts.md")}
+    names = ("index.html", "index.md", "verdicts.md", "finding.md")
+    return {
+        **{name: render(name, context) for name in names},
+        "figures/at-a-glance.svg": render("at-a-glance.svg", picture(papers)),
+    }
 
 
 def _all_again(papers: Sequence[Json], called: Mapping[str, str]) -> str:
@@ -269,7 +248,9 @@ def _data(judgement: Judgement, entry: Json, drawings: Sequence[Drawing]) -> Fil
         for group in groups.unique()
     }
     for figure, drawing in zip(paper.figures, drawings, strict=True):
-        files[f"tables/{paper.key}-{anchor(figure.label)}.csv"] = csv_text(drawing.frame, DIGITS)
+        name = f"{paper.key}-{anchor(figure.label)}"
+        files[f"tables/{name}.csv"] = csv_text(drawing.frame, DIGITS)
+        files[f"figures/{name}.svg"] = standalone(drawing.svg)
     if paper.experiments:
         files[place_of_runs(paper.key)] = packed_runs(judgement.runs)
     return files

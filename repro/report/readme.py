@@ -1,4 +1,4 @@
-"""Put the generated table of verdicts into a README: python -m repro.report.readme README TABLE."""
+"""Put generated parts into a README: python -m repro.report.readme README PART.md…."""
 
 import os
 import re
@@ -7,31 +7,32 @@ from pathlib import Path
 
 from repro.errors import InputError
 
-BEGIN = "<!-- verdicts: generated, do not edit -->"
-END = "<!-- end of verdicts -->"
+BEGIN = "<!-- {}: generated, do not edit -->"
+END = "<!-- end of {} -->"
 
 
-def with_verdicts(readme: str, table: str, folder: str) -> str:
-    """Return the README with the table between its two marks; InputError without them.
+def with_part(readme: str, name: str, text: str, folder: str) -> str:
+    """Return the README with a text between the two marks of that name; InputError without them.
 
-    The links of the table are those of a page in `folder`, seen from the README.
+    The links of the text are those of a page in `folder`, seen from the README.
     """
-    before, begin, rest = readme.partition(BEGIN)
-    _, end, after = rest.partition(END)
+    start, stop = BEGIN.format(name), END.format(name)
+    before, begin, rest = readme.partition(start)
+    _, end, after = rest.partition(stop)
     if not (begin and end):
-        message = f"the README lacks the line {BEGIN if not begin else END!r}"
+        message = f"the README lacks the line {start if not begin else stop!r}"
         raise InputError(message)
-    moved = re.sub(r"\]\((?!\w+:|/)", f"]({folder}/", table.strip())
-    return f"{before}{BEGIN}\n{moved}\n{END}{after}"
+    moved = re.sub(r"\]\((?!\w+:|/)", f"]({folder}/", text.strip())
+    return f"{before}{start}\n{moved}\n{stop}{after}"
 
 
 def main() -> None:
-    """Rewrite the README that the command line names."""
-    readme, table = (Path(name) for name in sys.argv[1:3])
-    folder = Path(os.path.relpath(table.parent, readme.parent)).as_posix()
-    text = with_verdicts(
-        readme.read_text(encoding="utf-8"), table.read_text(encoding="utf-8"), folder
-    )
+    """Rewrite the README that the command line names; a part's mark has the name of its file."""
+    readme, *parts = (Path(name) for name in sys.argv[1:])
+    text = readme.read_text(encoding="utf-8")
+    for part in parts:
+        folder = Path(os.path.relpath(part.parent, readme.parent)).as_posix()
+        text = with_part(text, part.stem, part.read_text(encoding="utf-8"), folder)
     readme.write_text(text, encoding="utf-8")
 
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from functools import cache, partial
+from pathlib import PurePosixPath
 
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 from markupsafe import Markup
@@ -53,6 +54,8 @@ def _templates(*, markdown: bool) -> Environment:
         "comparison_rows": lambda c: [(problem, *texts) for problem, texts in c.rows],
         "cell": markdown_cell,
     }
+    twins = map(PurePosixPath, environment.list_templates(filter_func=_is_section))
+    environment.globals |= {"IN_MARKDOWN": {twin.name.split(".")[0] for twin in twins}}
     environment.globals |= {"OURS": OURS, "to": to, "address": address, "page_of": page_of}
     environment.globals |= {"packed_viewer": packed_viewer, "viewer_licence": viewer_licence}
     environment.globals |= {"again_command": again_command, "command": command}
@@ -64,6 +67,10 @@ def _templates(*, markdown: bool) -> Environment:
     environment.globals |= {"term": partial(term_link, markdown=markdown)}
     environment.globals |= {"RESULTS": RESULTS, "IMPOSSIBLE": IMPOSSIBLE}
     return environment
+
+
+def _is_section(name: str) -> bool:
+    return name.startswith("sections/") and name.endswith(".md.jinja")
 
 
 def render(name: str, context: Mapping[str, object]) -> str:

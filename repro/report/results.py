@@ -4,7 +4,7 @@ import dataclasses
 import json
 import math
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +23,23 @@ BEFORE = 1
 PROVENANCE = "provenance.json"
 Json = dict[str, Any]
 Environments = list[dict[str, object]]
+Files = dict[str, str | bytes]
+
+
+@dataclasses.dataclass(frozen=True, slots=True, kw_only=True)
+class Made:
+    """What is written of one paper: its entries in results.json and provenance.json, its files.
+
+    `files` are by their place in the reports folder; `says` is what a terminal is told besides.
+    Of so many `tasks` as many runs are `missing`.
+    """
+
+    entry: Json
+    provenance: Json
+    files: Files
+    says: Sequence[str] = ()
+    tasks: int = 0
+    missing: int = 0
 
 
 def paper_result(judgement: Judgement, master_seed: str) -> Json:

@@ -37,9 +37,10 @@ def _room(name: str, title: str, *sections: tuple[str, str, str]) -> Room:
 ROOMS = (
     _room(
         "", "At a glance",
-        ("summary", "summary", "summary"),
+        ("title", "title", "what it comes to"),
+        ("heat_map", "at-a-glance", "every number as a square"),
         ("times", "times", "times side by side"),
-        ("heat_map", "at-a-glance", "at a glance"),
+        ("summary", "summary", "summary, and how sure"),
         ("claims", "claims", "claims of the text"),
         ("contents", "rooms", "rooms"),
     ),

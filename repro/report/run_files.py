@@ -8,6 +8,8 @@ from pathlib import Path
 import pandas as pd
 
 from repro.errors import InputError
+from repro.judge.centre_bias import Bias
+from repro.model.identifiers import anchor
 from repro.report.frames import PUBLISHED, csv_text, published_frame
 from repro.runs.raw_runs import RawRun
 
@@ -18,6 +20,30 @@ _WHOLE = ("repeat", "run", "evaluations")
 def place_of_runs(key: str) -> str:
     """Return where the runs of a paper stand in the reports folder."""
     return f"runs/{key}.csv.gz"
+
+
+def place_of_biases(key: str, experiment: str) -> str:
+    """Return where the table of an experiment's centre biases stands in the reports folder."""
+    return f"tables/{key}-{anchor('centre bias', experiment)}.csv"
+
+
+def read_biases(path: Path) -> list[Bias]:
+    """Return what a table of centre biases holds; nothing where there is none."""
+    if not path.exists():
+        return []
+    try:
+        frame = pd.read_csv(path, dtype={"algorithm": str, "problem": str}, keep_default_na=False)
+        means = frame[frame["problem"] == "geometric mean"]
+        return [
+            Bias(
+                algorithm=name, shift=float(shift), ratios={}, ratio=float(ratio),
+                interval=(float(low), float(high)), p=float(p),
+            )
+            for name, shift, _, ratio, low, high, p in means.itertuples(index=False, name=None)
+        ]  # fmt: skip
+    except (OSError, ValueError, LookupError) as error:
+        message = f"{path} holds no centre biases: {error}"
+        raise InputError(" ".join(message.split())) from None
 
 
 def packed_runs(runs: Sequence[RawRun]) -> bytes:

@@ -44,7 +44,7 @@ def gather(
     }
     runs: dict[Cell, Runs] = {}
     own = (task for task in tasks if task.paper == paper.key and task.experiment in protocol)
-    for cell, group in groupby(own, key=_cell):
+    for cell, group in groupby(own, key=cell_of):
         found = _whole(
             _noted(store.records(group), note), protocol[cell[0]], follow=cell in followed
         )
@@ -59,7 +59,8 @@ def _noted(records: Iterable[Record], note: Callable[[Record], None]) -> Iterato
         yield record
 
 
-def _cell(task: Task) -> Cell:
+def cell_of(task: Task) -> Cell:
+    """Return the cell that a run is of."""
     return task.experiment, task.problem, task.algorithm
 
 

@@ -194,8 +194,8 @@ def identical(tasks: Sequence[Task], stored: dict[str, Record]) -> list[Warned]:
     return [
         Warned(
             kind="identical runs",
-            says=f"{name} gives the same run under other seeds: {_some(places)}; it does not draw "
-            "from `rng`, so that its runs are no sample",
+            says=f"{name} gives the same run under other seeds: {_some(places)}; as one "
+            "does that draws nothing from `rng`: its runs are no sample",
         )
         for name, places in same.items()
     ]

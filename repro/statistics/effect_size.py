@@ -2,7 +2,6 @@
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.stats import rankdata
 
 from repro.statistics.tables import quantile_interval
 
@@ -16,6 +15,8 @@ def win_probability(x: Vector, y: Vector) -> float:
     A. Vargha, H. D. Delaney, Journal of Educational and Behavioral Statistics 25 (2000) 101-132;
     their A12 for costs, of which the lower is the better. Equal samples give exactly 0.5.
     """
+    from scipy.stats import rankdata  # noqa: PLC0415 (slow to load)
+
     n, m = len(x), len(y)
     ranks = rankdata(np.concatenate([x, y]))
     return float(1.0 - (ranks[:n].sum() - n * (n + 1) / 2) / (n * m))

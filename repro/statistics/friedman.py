@@ -9,7 +9,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.stats import friedmanchisquare, rankdata, studentized_range
 
 from repro.errors import InputError
 
@@ -38,6 +37,8 @@ def friedman(values: Vector) -> Friedman:
     problem has all algorithms tied, p = 1. InputError for fewer than two problems or three
     algorithms, which have no such test.
     """
+    from scipy.stats import friedmanchisquare, rankdata  # noqa: PLC0415 (slow to load)
+
     problems, algorithms = values.shape
     if problems < 2 or algorithms < 3:
         message = f"Friedman's test needs 2 problems and 3 algorithms, not {values.shape}"
@@ -54,6 +55,8 @@ def friedman(values: Vector) -> Friedman:
 
 def critical_difference(algorithms: int, problems: int, level: float = LEVEL) -> float:
     """Return the least difference of average ranks that Nemenyi's test takes for one."""
+    from scipy.stats import studentized_range  # noqa: PLC0415 (slow to load)
+
     q = float(studentized_range.ppf(1.0 - level, algorithms, np.inf)) / math.sqrt(2.0)
     return q * math.sqrt(algorithms * (algorithms + 1) / (6.0 * problems))
 

@@ -2,7 +2,6 @@
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.stats import mannwhitneyu
 
 Vector = NDArray[np.float64]
 SMALL = 20  # values in both samples together, from which MATLAB's `ranksum` approximates
@@ -15,6 +14,8 @@ def rank_sum_p(x: Vector, y: Vector) -> float:
     otherwise the normal approximation with tie and continuity correction, which is what `ranksum`
     gives for larger samples. Two samples of one and the same value are not different: p = 1.
     """
+    from scipy.stats import mannwhitneyu  # noqa: PLC0415 (slow to load)
+
     values = np.concatenate([x, y])
     if np.ptp(values) == 0.0:
         return 1.0

@@ -2,7 +2,6 @@
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.stats import wilcoxon
 
 Vector = NDArray[np.float64]
 EXACT = 50  # pairs, below which R's `wilcox.test` is exact
@@ -15,6 +14,8 @@ def signed_rank_p(differences: Vector) -> float:
     for fewer than 50 pairs of different sizes without zeros, otherwise the normal approximation
     with tie and continuity correction: the choice of R's `wilcox.test`.
     """
+    from scipy.stats import wilcoxon  # noqa: PLC0415 (slow to load)
+
     left = differences[differences != 0.0]
     if not left.size:
         return 1.0

@@ -1,6 +1,8 @@
 """What a table of n runs may show, by what N stored runs showed."""
 
+import math
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -40,25 +42,58 @@ def next_tables(
     chance n/(N + n), whatever the distribution. Between two stored runs one of the two is taken;
     beyond the last ones see `_beyond`. No new value lies outside `ends`, unless stored ones do.
     """
-    stored = np.sort(values, axis=None).astype(np.float64)
-    size, n = stored.size, values.shape[-1]
+    falls = falls_among(values.size, values.shape[-1], tables=tables, rng=rng)
+    return tables_of(values, falls, ends=ends)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Falls:
+    """Where the runs of tables fall among stored ones, whatever these are; see `next_tables`.
+
+    `nearest`, shape (tables, n), is the position of the stored run that is taken; `below` and
+    `above` say which lie beyond all, `down` and `up` by how many mean excesses.
+    """
+
+    nearest: NDArray[np.intp]
+    below: NDArray[np.bool_]
+    above: NDArray[np.bool_]
+    down: Vector
+    up: Vector
+
+
+def falls_among(size: int, n: int, *, tables: int, rng: np.random.Generator) -> Falls:
+    """Return where n runs of each table fall among so many stored ones."""
     place = np.empty((n, tables), dtype=np.intp)  # 0 below all stored, size above all
     rows = np.arange(tables)
     for k in range(n):
         # Pólya's urn: one ball per gap, and one more of the gap that each run before fell into
         ball = rng.integers(0, size + 1 + k, size=tables)
         place[k] = ball
-        again = ball > size
+        again = np.flatnonzero(ball > size)
         place[k, again] = place[ball[again] - size - 1, rows[again]]
     place = place.T
-    up = rng.random((tables, n)) < 0.5
-    found = stored[np.clip(place - 1 + up, 0, size - 1)]
+    upper = rng.random((tables, n)) < 0.5
+    nearest = np.clip(place - 1 + upper, 0, size - 1)
     steps = rng.standard_exponential((tables, n))
     reach = REACH * (1.0 + n / size)
-    low, high = _beyond(stored, steps[place == 0] * reach, steps[place >= size] * reach, ends[0])
+    below, above = place == 0, place >= size
+    return Falls(
+        nearest=nearest,
+        below=below,
+        above=above,
+        down=steps[below] * reach,
+        up=steps[above] * reach,
+    )
+
+
+def tables_of(values: Vector, falls: Falls, *, ends: tuple[float, float] = ANYWHERE) -> Vector:
+    """Return the tables whose runs fall so among the stored ones, `values`."""
+    stored = np.sort(values, axis=None).astype(np.float64)
+    found = stored[falls.nearest]
+    low, high = _beyond(stored, falls.down, falls.up, ends[0])
     high = np.minimum(high, max(ends[1], stored[-1]))
-    found[place == 0] = low
-    found[place >= size] = high
+    found[falls.below] = low
+    found[falls.above] = high
     return np.asarray(found)
 
 
@@ -107,7 +142,8 @@ def half_equal(values: Vector) -> bool:
 
 def quantile_interval(draws: Vector, level: float) -> tuple[float, float]:
     """Return the central interval of `draws` that holds `level` of them, ends being draws."""
-    tail = (1.0 - level) / 2.0
-    low = np.quantile(draws, tail, method="lower")
-    high = np.quantile(draws, 1.0 - tail, method="higher")
-    return float(low), float(high)
+    tail, last = (1.0 - level) / 2.0, len(draws) - 1
+    ordered = np.sort(draws)
+    if np.isnan(ordered[-1]):
+        return np.nan, np.nan
+    return float(ordered[int(last * tail)]), float(ordered[math.ceil(last * (1.0 - tail))])

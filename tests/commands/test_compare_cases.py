@@ -144,15 +144,17 @@ def test_run_that_does_not_come_out_again_is_named_everywhere(
 def test_honest_search_is_warned_of_nothing_and_its_prints_go_nowhere(run: Run) -> None:
     code, out, err = run("mine:loud")
 
-    assert (code, err) == (0, "")
+    assert (code, err.count("\n")) == (0, 1)
+    assert "repro: no runs of guess, wide in" in err
     assert "LOUD" not in out
     assert results("loud")["warnings"] == []
 
 
 def test_missing_comparisons_are_named_and_one_alone_has_no_rank(run: Run) -> None:
-    _, out, _ = run("mine:guess", "--name", "own")
+    _, out, err = run("mine:guess", "--name", "own")
 
-    assert "no runs of guess, wide in small2020/search: `repro reproduce small2020` makes" in out
+    assert out == "page: reports-private/own.html\n"
+    assert "repro: no runs of guess, wide in small2020/search: `repro reproduce small2020`" in err
     assert {row["rank"] for row in results("own")["standings"]} == {None}
     page = Path("reports-private/own.html").read_text()
     assert "small2020/search: <code>repro reproduce small2020</code> makes them" in page

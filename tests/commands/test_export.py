@@ -43,7 +43,9 @@ FILES = ("audit", "certificates", "findings", "runs", "standings", "tests")
 def test_csv_files_hold_the_frames(place: Path, tmp_path: Path) -> None:
     assert exported(place, tmp_path, "--format", "csv") == [f"small2020-{n}.csv" for n in FILES]
 
-    runs = pd.read_csv(tmp_path / "small2020-runs.csv", dtype={"seed": object})
+    runs = pd.read_csv(
+        tmp_path / "small2020-runs.csv", dtype={"seed": object}, float_precision="round_trip"
+    )
     assert list(runs) == list(RUNS)
     assert [float(cost) for cost in runs["cost"]] == [record.cost for record in RECORDS]
     own = repro.load(place / "reports").runs(PAPER.key)["seed"]
@@ -141,6 +143,25 @@ def test_no_text_of_a_paper_is_a_command_of_latex(place: Path) -> None:
     assert plain.count("{") == plain.count("}")
     for mark in "%$#_^~<>":
         assert mark not in re.sub(r"\\[%$#_{}&]", "", escaped(HOSTILE)).replace("{}", "")
+
+
+def test_table_is_one_that_latex_sets(place: Path) -> None:
+    texts = dict.fromkeys(("paper", "table", "row"), "θ₁ ≤ 10⁻³ m² of λ & Σ")
+    text = latex_table(repro.load(place / "reports").findings.assign(**texts), "a")
+
+    body = re.sub(r"\\\\|\\[%$#_{}&]", "", text.replace(r" \\", "\n"))
+    assert body.count("{") == body.count("}")
+    assert body.count("$") % 2 == 0
+    opened = re.findall(r"\\(begin|end)\{(\w+)\}", body)
+    assert opened == [("begin", "table"), ("begin", "tabular"), ("end", "tabular"),
+                      ("end", "table")]  # fmt: skip
+    rules = [line for line in text.splitlines() if line.endswith("rule")]
+    assert rules == [r"\toprule", r"\midrule", r"\bottomrule"]
+    (columns,) = re.findall(r"\\begin\{tabular\}\{(l[r]+)\}", text)
+    rows = text.partition(r"\midrule")[2].partition(r"\bottomrule")[0].strip().splitlines()
+    counts = {len(re.findall(r"(?<!\\)&", row)) for row in rows}
+    assert counts == {len(columns) - 1}
+    assert text.isascii()
 
 
 @pytest.mark.parametrize(

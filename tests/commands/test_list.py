@@ -1,6 +1,7 @@
 from pathlib import Path
 
-from repro.commands.list import listing, listing_text
+from repro.commands.listed_papers import listing
+from repro.commands.listing_text import listing_text
 from repro.runs.plan import plan
 from repro.runs.run import execute
 from repro.runs.store.store import Store

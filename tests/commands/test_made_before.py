@@ -4,7 +4,8 @@ from pathlib import Path
 import pytest
 
 from repro.__main__ import main
-from repro.commands.made_before import changed_since, in_words, remember, unreadable
+from repro.commands.listing_text import in_words
+from repro.commands.made_before import changed_since, remember, unreadable
 from tests.small_papers import EXPERIMENT, PAPER, Bowl, Guessing, let_be_known
 
 WIDER = replace(EXPERIMENT, algorithms={**EXPERIMENT.algorithms, "wide": Guessing(width=5.0)})

@@ -50,10 +50,10 @@ def test_plain_lines_come_ten_seconds_apart_and_at_the_end(clock: list[float]) -
         go_on(progress, 1)
 
     assert stream.getvalue().splitlines() == [
-        "10/40 runs (25 % of the time), 30 s left: small2020, search",
-        "20/40 runs (50 % of the time), 20 s left: small2020, search",
-        "30/40 runs (75 % of the time), 10 s left: small2020, search",
-        "40/40 runs (100 % of the time), 0 s left: small2020, search",
+        "10/40 runs (25 %), 30 s left: small2020, search",
+        "20/40 runs (50 %), 20 s left: small2020, search",
+        "30/40 runs (75 %), 10 s left: small2020, search",
+        "40/40 runs (100 %), 0 s left: small2020, search",
     ]
 
 
@@ -87,7 +87,7 @@ def test_last_state_is_shown_however_soon_it_comes(clock: list[float]) -> None:
     go_on(expecting(stream, 3), 3)
 
     assert clock == [100.0]
-    assert stream.getvalue().startswith("3/3 runs (100 % of the time), 0 s left")
+    assert stream.getvalue().startswith("3/3 runs (100 %), 0 s left")
 
 
 def test_nothing_is_said_before_the_first_run_is_done(clock: list[float]) -> None:
@@ -123,7 +123,7 @@ def test_runs_that_come_later_are_counted_anew(clock: list[float]) -> None:
     clock[0] += 10.0
     go_on(progress, 1)
 
-    assert stream.getvalue().splitlines()[1].startswith("1/2 runs (50 % of the time), 10 s left")
+    assert stream.getvalue().splitlines()[1].startswith("1/2 runs (50 %), 10 s left")
 
 
 @pytest.mark.parametrize(

@@ -3,7 +3,7 @@
 import os
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 import pytest
@@ -13,6 +13,8 @@ from tests.small_papers import PAPER, let_be_known
 
 PAPERS = """
 from repro.__main__ import main
+from repro.commands.surroundings import prepare
+prepare()  # as main does before anything is loaded
 from tests.small_papers import PAPER, let_be_known
 import pytest, sys
 with pytest.MonkeyPatch.context() as patch:
@@ -23,10 +25,14 @@ ROOT = Path(__file__).parents[2]
 
 
 def called(
-    *arguments: str, cwd: Path, before: Callable[[], None] | None = None, **more: str
+    *arguments: str,
+    cwd: Path,
+    before: Callable[[], None] | None = None,
+    odd: Mapping[str, str] | None = None,
+    **more: str,
 ) -> subprocess.CompletedProcess[str]:
     """Return what a process of its own says that knows the small paper alone."""
-    environment = {**os.environ, "PYTHONPATH": str(ROOT), **more}
+    environment = {**os.environ, "PYTHONPATH": str(ROOT), **more, **(odd or {})}
     call = (sys.executable, "-c", PAPERS, *arguments)
     return subprocess.run(
         call,
@@ -76,6 +82,27 @@ def test_a_locale_without_letters_stops_nothing(tmp_path: Path) -> None:
 
     assert done.returncode == 0, done.stderr
     assert "Traceback" not in done.stderr
+
+
+def test_odd_variables_all_at_once_stop_nothing(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("no folder can be made below it")
+    nowhere = str(tmp_path / "file" / "x")
+    folders = ("HOME", "TMPDIR", "XDG_CACHE_HOME", "MPLCONFIGDIR", "NUMBA_CACHE_DIR")
+    odd = {
+        **dict.fromkeys((*folders, "SQLITE_TMPDIR", "MATPLOTLIBRC"), nowhere),
+        **dict.fromkeys(("LANG", "LC_ALL", "TZ", "TERM", "COLUMNS"), "nonsense"),
+        **dict.fromkeys(("OMP_NUM_THREADS", "NUMBA_NUM_THREADS", "LINES"), "0"),
+        "NO_COLOR": "1",
+        "PYTHONOPTIMIZE": "2",
+        "PYTHONHASHSEED": "7",
+    }
+
+    done = called("reproduce", "--repeats", "1", "--protocol-only", cwd=tmp_path, odd=odd)
+
+    assert done.returncode == 0, done.stderr
+    assert "Traceback" not in done.stderr
+    assert (tmp_path / "reports" / "index.html").exists()
+    assert (tmp_path / "file").is_file()
 
 
 def test_code_that_cannot_be_kept_is_said_before_any_run(

@@ -129,5 +129,5 @@ def test_reproduce_with_nothing_to_do_writes_nothing(
     def fail(*_: object) -> None:
         pytest.fail("pages were written again")
 
-    monkeypatch.setattr("repro.report.pages.write_report", fail)
+    monkeypatch.setattr("repro.commands.written_pages.write_report", fail)
     assert main(command) == 0

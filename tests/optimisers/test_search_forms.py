@@ -140,6 +140,8 @@ def unsaid(cost, bounds, budget, rng, *, temperature): return bounds[:, 0]
 def none(): return None
 def boundless(cost, rng): return None
 def costless(budget, rng=None, lower=None, x=None): return None
+async def later(cost, bounds, budget, rng): return bounds[:, 0]
+def lazily(cost, bounds, budget, rng): yield bounds[:, 0]
 class Needing:
     def __init__(self, temperature): pass
 class Mute:
@@ -197,6 +199,8 @@ def test_what_an_object_recommends_where_it_stops_is_counted_once_more() -> None
         ("unsaid", "'temperature' says not what it asks for"),
         ("none", "it asks for no cost"),
         ("boundless", "it asks for no bounds"),
+        ("later", "it returns before it has searched"),
+        ("lazily", "it returns before it has searched"),
         ("Needing", "is a class that needs 'temperature': name an object of it"),
         ("Mute", "is a class without a method minimise, minimize"),
         ("Raising", "is a class that cannot be made: OSError: no file"),

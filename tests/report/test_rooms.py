@@ -1,5 +1,7 @@
+import re
 from dataclasses import replace
 from pathlib import Path
+from xml.etree import ElementTree as ET
 
 import pytest
 
@@ -66,3 +68,33 @@ def test_a_room_that_a_paper_no_longer_fills_goes_and_nothing_of_others(tmp_path
     assert set(pages_of_paper("doe2021")) > {path.name for path in reports.glob("doe2021.*")} - {
         theirs.name
     }
+
+
+def test_the_markdown_page_has_contents_that_lead_to_its_parts_and_figures_beside_it(
+    tmp_path: Path,
+) -> None:
+    pages = pages_of(tmp_path)
+    text = pages["doe2021.md"]
+
+    parts = re.findall(r"\]\(#([\w-]+)\)", text)
+    pictures = re.findall(r"!\[.*?\]\((.*?)\)", text)
+
+    assert {"claims", "tables", "audit", "figures", "provenance"} <= set(parts)
+    assert all(text.count(f'<a id="{part}"></a>') == 1 for part in parts)
+    assert len(pictures) == 5
+    for name in pictures:
+        drawn = ET.fromstring(pages[name])  # noqa: S314 (our own drawing)
+        assert drawn.tag.endswith("svg")
+        assert float(drawn.attrib["width"]) > 100
+        assert pages[name.replace("figures/", "tables/").replace(".svg", ".csv")]
+
+
+def test_captions_are_a_title_and_one_sentence(tmp_path: Path) -> None:
+    page = pages_of(tmp_path)["doe2021.figures.html"]
+    captions = [re.sub("<.*?>", "", c) for c in re.findall(r"<figcaption>(.*?)</figcaption>", page)]
+    assert len(captions) == 2
+    assert all(caption.endswith(" Data (CSV)") for caption in captions)
+    assert "3 = 3 s" in page
+    assert "3 = 3 s" not in " ".join(captions)
+    assert "after 12 iterations" in page  # in the words for who does not see
+    assert "after 12 iterations" not in " ".join(captions)

@@ -2,20 +2,23 @@
 
 import tracemalloc
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Executor, Future
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from repro.runs import plan as planning
-from repro.runs.plan import plan, planned
+from repro.runs.plan import Task, plan, planned
+from repro.runs.run import Record
 from repro.runs.session import run_missing
 from repro.runs.store import questions
 from repro.runs.store.store import Store
 from tests.small_papers import PAPER
 
-FEW, MANY = 40, 400  # repeats
-GROWTH = 1.5  # of the peak, for ten times the runs
+NOTHING = np.zeros(1)
+FEW, MANY = 100, 500  # repeats
+GROWTH = 1.5  # of the peak, for five times the runs
 
 
 @pytest.fixture(autouse=True)
@@ -34,13 +37,28 @@ def peak(call: Callable[[], object]) -> int:
         tracemalloc.stop()
 
 
+class Inventing(Executor):
+    """Gives a record for each task at once, out of thin air."""
+
+    def submit(  # type: ignore[override]
+        self, _: object, tasks: tuple[Task, ...], /
+    ) -> Future[list[Record]]:
+        """Return what is done already."""
+        future: Future[list[Record]] = Future()
+        future.set_result([
+            Record(task=task, cost=1.0, x=NOTHING, history=NOTHING, evaluations=1, seconds=0.01)
+            for task in tasks
+        ])  # fmt: skip
+        return future
+
+
 def made(folder: Path, repeats: int) -> None:
     """Run everything, in batches, and ask what is missing after that."""
     tasks = planned([PAPER], repeats)
-    with Store(folder) as store, ThreadPoolExecutor(1) as executor:
+    with Store(folder) as store:
         failed = run_missing(
-            store, tasks, executor=executor, workers=1, environment=dict,
-            report=lambda *_: None, batch_seconds=0.01,
+            store, tasks, executor=Inventing(), workers=1, environment=dict,
+            report=lambda *_: None, batch_seconds=0.1,
         )  # fmt: skip
         assert not failed
         assert not any(store.lacking(tasks))
@@ -56,8 +74,8 @@ def test_plan_that_is_not_held_is_the_one_that_is() -> None:
         long[len(long)]
 
 
-def test_ten_times_the_runs_take_no_more_memory(tmp_path: Path) -> None:
-    made(tmp_path / "first", 1)  # loads and compiles what it needs
+def test_five_times_the_runs_take_no_more_memory(tmp_path: Path) -> None:
+    made(tmp_path / "first", FEW)  # loads and compiles what it needs
     few, many = (
         peak(lambda repeats=repeats: made(tmp_path / str(repeats), repeats))  # type: ignore[misc]
         for repeats in (FEW, MANY)

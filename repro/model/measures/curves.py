@@ -15,13 +15,13 @@ from typing import ClassVar, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from repro.determinism.seeds import generator
 from repro.model.evidence import Cell, Evidence
 from repro.model.measures.measure import TABLES, Measure, Measured, place_among
+from repro.model.measures.to_come import tables_to_come
 from repro.robotics.path_fitting import PathFitting
 from repro.robotics.polynomial_curves import values
 from repro.statistics.named import is_of_extremes, statistic_named
-from repro.statistics.tables import half_equal, predicted
+from repro.statistics.tables import half_equal
 
 Vector = NDArray[np.float64]
 Combination = Literal["norm", "sum", "largest"]
@@ -231,11 +231,11 @@ def _summarised(
     table: Vector, statistic: str, evidence: Evidence, experiment: str, algorithm: str
 ) -> Measured:
     """Return the statistic of a table (repeats, runs) and of tables that may come next."""
-    rng = generator("tables", evidence.key, experiment, algorithm)
+    to_come = tables_to_come(table, evidence.key, experiment, algorithm, tables=TABLES)
     summary = lower_median if statistic == "lower median" else statistic_named(statistic)
     return Measured(
         value=float(summary(table[0])),
-        draws=predicted(table, summary, tables=TABLES, rng=rng),
+        draws=summary(to_come),
         repeats=len(table),
         thin=is_of_extremes(statistic, table.shape[-1]) or half_equal(table),
     )

@@ -8,14 +8,14 @@ from typing import ClassVar, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from repro.determinism.seeds import generator
 from repro.errors import DeclarationError
 from repro.model.evidence import Cell, Evidence
 from repro.model.experiment import Experiment
+from repro.model.measures.to_come import tables_to_come
 from repro.statistics.named import is_count, is_of_extremes, statistic_named
 from repro.statistics.places import Ties, place
 from repro.statistics.summary import STATISTICS
-from repro.statistics.tables import half_equal, next_tables
+from repro.statistics.tables import ANYWHERE, half_equal
 
 Vector = NDArray[np.float64]
 TABLES = 2000  # tables per statistic: its 2.5 % tail then holds 50 of them
@@ -133,10 +133,8 @@ def _tables(evidence: Evidence, cell: Cell, quantity: str) -> tuple[Vector, Vect
     """Return what was found, and the same tables that may come next whenever they are asked for."""
     values = evidence.values(cell, quantity)
     # named without the quantity: the same tables for all of a cell's numbers
-    rng = generator("tables", evidence.key, *cell)
-    cost = quantity == "cost"
-    ends = (evidence.floor(cell), evidence.ceiling(cell)) if cost else (-np.inf, np.inf)
-    return values, next_tables(values, tables=TABLES, rng=rng, ends=ends)
+    ends = (evidence.floor(cell), evidence.ceiling(cell)) if quantity == "cost" else ANYWHERE
+    return values, tables_to_come(values, evidence.key, *cell, tables=TABLES, ends=ends)
 
 
 def _measured(

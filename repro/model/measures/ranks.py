@@ -10,13 +10,12 @@ from typing import ClassVar, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from repro.determinism.seeds import generator
 from repro.errors import DeclarationError
 from repro.model.evidence import Cell, Evidence
 from repro.model.measures.measure import Measured, Statistic
+from repro.model.measures.to_come import tables_to_come
 from repro.statistics.pairs import paired_p
 from repro.statistics.places import Ties
-from repro.statistics.tables import next_tables
 from repro.tables.relations import RankTest
 
 Vector = NDArray[np.float64]
@@ -69,18 +68,22 @@ class Contest:
 
     def ranks(self, evidence: Evidence) -> tuple[Vector, int]:
         """Return ranks (problems, algorithms, 1 + tables), the first repeat first, and repeats."""
-        return evidence.remember(self, partial(self._ranks, evidence))
+        return evidence.remember(("ranks", self), partial(self._ranks, evidence))
 
     def _ranks(self, evidence: Evidence) -> tuple[Vector, int]:
+        # problem by problem, so that one whose runs a reading leaves as they are is ranked once
+        alone = [replace(self, problems=(problem,)) for problem in self.problems]
+        found = [evidence.remember(one, partial(one.on_its_problem, evidence)) for one in alone]
+        return np.array([ranks for ranks, _ in found]), min(repeats for _, repeats in found)
+
+    def on_its_problem(self, evidence: Evidence) -> tuple[Vector, int]:
+        """Return ranks (algorithms, 1 + tables) on the one problem of the contest, and repeats."""
         from scipy.stats import rankdata  # noqa: PLC0415 (slow to load)
 
-        ranked, repeats = [], []
-        for problem in self.problems:
-            found = [statistic.measure(evidence) for statistic in self.statistics(problem)]
-            repeats += [each.repeats for each in found]
-            costs = [[each.value, *each.draws] for each in found]
-            ranked.append(rankdata(costs, axis=0, method=self.ties))
-        return np.array(ranked), min(repeats)
+        (problem,) = self.problems
+        found = [statistic.measure(evidence) for statistic in self.statistics(problem)]
+        costs = [np.append(each.value, each.draws) for each in found]
+        return rankdata(costs, axis=0, method=self.ties), min(each.repeats for each in found)
 
     def of(self, algorithm: str) -> int:
         """Return the position of an algorithm; DeclarationError where it does not take part."""
@@ -236,9 +239,8 @@ class RankSum:
         for problem in self.problems:
             cell = (self.experiment, problem, algorithm)
             values = evidence.values(cell)
-            rng = generator("tables", evidence.key, *cell)
             ends = evidence.floor(cell), evidence.ceiling(cell)
-            drawn = next_tables(values, tables=TEST_TABLES, rng=rng, ends=ends)
+            drawn = tables_to_come(values, evidence.key, *cell, tables=TEST_TABLES, ends=ends)
             tables.append(np.vstack([values[:1], drawn]))
         return tables
 

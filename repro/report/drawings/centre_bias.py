@@ -1,10 +1,11 @@
 """Ratios of errors with the optimum off the centre: a line per algorithm, a mark per shift."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from repro.judge.centre_bias import FLAG, Bias
@@ -30,8 +31,13 @@ APART = 0.22  # of a line, from one shift to the next
 FLAG_LINE: Style = {"color": "#000000", "linestyle": (0, (4, 2)), "linewidth": 1.0}
 
 
-def bias_plot(names: Sequence[str], found: Sequence[Bias]) -> Plot:
-    """Return the drawing of all ratios with their intervals, and the line from which one flags."""
+def bias_plot(
+    names: Sequence[str], found: Sequence[Bias], *, canvas: Callable[[float], Figure] = empty
+) -> Plot:
+    """Return the drawing of all ratios with their intervals, and the line from which one flags.
+
+    `canvas` makes a figure of our width and a height in inches.
+    """
     shifts = sorted({bias.shift for bias in found})
     legend = [
         Line2D([], [], linestyle="none", label=f"shift {shift:g}", **_mark(k))
@@ -39,11 +45,11 @@ def bias_plot(names: Sequence[str], found: Sequence[Bias]) -> Plot:
     ]
     above = legend_height(legend) + 0.25
     total = above + LINE * len(names) + BOTTOM
-    canvas = empty(total)
-    axes = canvas.add_axes(
+    drawn = canvas(total)
+    axes = drawn.add_axes(
         (NAMES / WIDTH, BOTTOM / total, 1 - (NAMES + RIGHT) / WIDTH, LINE * len(names) / total)
     )
-    draw_legend(canvas, legend)
+    draw_legend(drawn, legend)
     plain(axes)
     scale = _scale(found)
     for bias in found:
@@ -53,7 +59,7 @@ def bias_plot(names: Sequence[str], found: Sequence[Bias]) -> Plot:
         axes.plot(np.log10(bias.interval), [y, y], color=style["color"], linewidth=1.0)
         axes.plot([np.log10(bias.ratio)], [y], linestyle="none", **style)
     _finish(axes, names, scale)
-    return Plot(canvas=canvas, description=_description(names, found), frame=_frame(found))
+    return Plot(canvas=drawn, description=_description(names, found), frame=_frame(found))
 
 
 def _mark(k: int) -> Style:
@@ -97,7 +103,7 @@ def _description(names: Sequence[str], found: Sequence[Bias]) -> str:
     flagged = dict.fromkeys(bias.algorithm for bias in found if bias.flagged)
     return (
         "Mean error with the optimum moved aside over mean error in place, geometric mean over the "
-        "functions, with the 95 % interval, by size of shift in half widths of the box: "
+        "functions, with the 95 % interval, by size of shift in half widths of the box. "
         f"{ratios}. Above {FLAG:g} an algorithm counts as biased to the centre: "
         f"{', '.join(flagged) or 'none'}."
     )

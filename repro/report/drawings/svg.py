@@ -10,6 +10,7 @@ from repro.errors import InputError
 
 POINTS_PER_INCH = 72
 WIDEST = "42rem"  # the text in a drawing then stands at about the size of the page's text
+INK = "#1a1a1a"
 _UNWANTED = re.compile(r"<metadata>.*?</metadata>|<!--.*?-->|<style.*?</style>", re.DOTALL)
 _COORDINATES = re.compile(r'(?<= )(d|x|y|width|height|transform)="([^"]*)"')
 _LONG_DECIMAL = re.compile(r"-?\d+\.\d{3,}")
@@ -42,6 +43,16 @@ def inline_svg(canvas: Figure, *, identifier: str, title: str, description: str)
         'font-family="sans-serif" stroke-linejoin="round" stroke-linecap="butt">\n'
         f'<title id="{identifier}-title">{escape(title)}</title>\n'
         f'<desc id="{identifier}-desc">{escape(description)}</desc>{body}'
+    )
+
+
+def standalone(svg: str) -> str:
+    """Return an inline drawing as a file of its own, in dark ink on white whatever the page."""
+    width, height = (1.6 * float(n) for n in re.findall(r'viewBox="0 0 (\S+) (\S+)"', svg)[0])
+    return svg.replace(
+        f'width="100%" style="max-width: {WIDEST}"',
+        f'width="{width:g}" height="{height:g}" style="color: {INK}; background: #fff"',
+        1,
     )
 
 

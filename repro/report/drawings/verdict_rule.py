@@ -2,11 +2,13 @@
 
 from dataclasses import dataclass
 
+import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
 
 from repro.judge.verdict import Verdict
 from repro.model.tolerances import Interval
+from repro.report.drawings.convergence import CostScale
 from repro.report.drawings.style import COLOURS, RIGHT, WIDTH, Plot, Style, empty
 
 PRINTED = 10.0
@@ -94,3 +96,31 @@ def _name(axes: Axes, text: str, y: float) -> None:
         text, (SCALE[0], y), xytext=(-8, 0), textcoords="offset points",
         ha="right", va="center", annotation_clip=False,
     )  # fmt: skip
+
+
+def draw_verdict(
+    axes: Axes, *, measured: Interval, accepted: Interval, printed: float | None
+) -> None:
+    """Draw one interval under what is accepted; an end that there is not is the axes' own."""
+    ends = [*measured, *accepted, *([] if printed is None else [printed])]
+    finite = np.array([end for end in ends if np.isfinite(end)])
+    scale = CostScale.of(finite)
+    low, high = (float(f(scale.place(finite))) for f in (np.min, np.max))
+    room = 0.1 * (high - low) or 1.0
+
+    def places(interval: Interval) -> list[float]:
+        bounds = (low - room, high + room)
+        return [
+            float(scale.place(np.array([end]))[0]) if np.isfinite(end) else bounds[end > 0]
+            for end in interval
+        ]
+
+    axes.fill_between(places(accepted), 0.0, 2.0, **BAND)
+    axes.plot(places(measured), [0.5] * 2, **BAR)
+    if printed is not None:
+        axes.plot(places((printed, printed)), [0.0, 2.0], color=INK, linewidth=1.2)
+    axes.set(xlim=(low - room, high + room), ylim=(0.0, 2.0))
+    axes.set_yticks([0.5, 1.5], ["re-run", "accepted"])
+    if scale.logarithmic:
+        ticks = scale.ticks()
+        axes.set_xticks(list(ticks), list(ticks.values()))

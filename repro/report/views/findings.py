@@ -33,7 +33,8 @@ class Shown:
     """One finding as the pages show it.
 
     It stands on `line` of the CSV file that is named by the paper's key and `group`. `unseen` says
-    how far a consistent number could be off, `own` what the re-run alone says of one that depends,
+    how far a consistent number could be off, `size` how large what is said in words is by the print
+    and by the runs, `own` what the re-run alone says of one that depends,
     `counted` with what it counts, where that is not by
     itself; `turns` are the readings on which the verdict turns, among all `readings`; `least` is
     the proved least, and `drawn` what the line plot shows.
@@ -59,6 +60,7 @@ class Shown:
     least: str = ""
     drawn: str = ""
     unseen: str = ""
+    size: str = ""
     counted: str = ""
     readings: tuple[ShownReading, ...] = ()
     turns: tuple[Turn, ...] = ()
@@ -193,15 +195,17 @@ def _shown(
     return Shown(
         finding=finding,
         anchor=name,
-        printed=finding.printed if finding.table or not printed else _with_unit(printed),
-        value=number(finding.value, digits),
+        printed=finding.printed
+        if finding.table or not printed
+        else with_unit(printed.text, printed.unit),
+        value=_own_unit(finding, number(finding.value, digits)),
         difference=difference(printed, finding.value) if printed else "",
         verdict=verdict,
         sign=verdict.partition(" ")[0],
         word=verdict.partition(" ")[2],
         kind=anchor(finding.verdict),
-        measured=interval(finding.measured, digits),
-        accepted=interval(finding.accepted, digits),
+        measured=_own_unit(finding, interval(finding.measured, digits)),
+        accepted=_own_unit(finding, interval(finding.accepted, digits)),
         quantile=share(finding.quantile, TABLES),
         group=group,
         line=line,
@@ -213,6 +217,11 @@ def _shown(
     )
 
 
+def _own_unit(finding: Finding, text: str) -> str:
+    """Return a number with its unit; a table's stands at its heading."""
+    return text if finding.table or text == "–" else with_unit(text, finding.unit)
+
+
 def _own(finding: Finding) -> str:
     """Return what the re-run alone says, where it is not what is said."""
     if finding.as_run is None or finding.as_run is finding.verdict:
@@ -220,10 +229,9 @@ def _own(finding: Finding) -> str:
     return verdict_words(finding.as_run, finding.as_run_side)
 
 
-def _with_unit(printed: Printed) -> str:
-    if printed.unit == "rank":
-        return f"rank {printed.text}"
-    return f"{printed.text} {printed.unit}".strip()
+def with_unit(text: str, unit: str) -> str:
+    """Return a number or an interval with its unit, of which a rank's stands before it."""
+    return f"rank {text}" if unit == "rank" else f"{text} {unit}".strip()
 
 
 def marks_by_cell(rows: Iterable[AuditRow]) -> dict[Place, list[AuditRow]]:

@@ -7,6 +7,8 @@ import pandas as pd
 
 from repro.judge.judgement import Judgement
 from repro.model.identifiers import anchor
+from repro.report.drawings.draw import Drawing
+from repro.report.drawings.svg import standalone
 from repro.report.frames import DIGITS, csv_text
 from repro.report.views.algorithms import AlgorithmsView, algorithms_views
 from repro.report.views.centre_bias import CentreBiasView, centre_bias_view
@@ -39,11 +41,29 @@ class RunsView:
         }
 
     def files(self, key: str) -> dict[str, str]:
-        """Return the CSV files of a paper's page, by their place in the reports folder."""
-        return {
+        """Return the CSV and SVG files of a paper, by their place in the reports folder."""
+        tables = {
             f"tables/{key}-{name}.csv": csv_text(frame, DIGITS)
             for name, frame in self.tables().items()
         }
+        figures = {
+            f"figures/{key}-{name}.svg": standalone(drawing.svg)
+            for name, drawing in self.drawings().items()
+        }
+        return tables | figures
+
+    def drawings(self) -> Mapping[str, Drawing]:
+        """Return what is drawn, by the name of its files."""
+        ranks = {
+            anchor("ranks", each.experiment.name): each.ranking.drawing
+            for each in self.comparisons
+            if each.ranking
+        }
+        biases = {
+            anchor("centre bias", each.found.experiment.name): each.drawing
+            for each in self.centre_biases
+        }
+        return ranks | biases | {each.name: each.drawing for each in self.distributions}
 
     def tables(self) -> Mapping[str, pd.DataFrame]:
         """Return the data of everything shown, by the name of its file."""

@@ -95,7 +95,7 @@ def _beside(paper: Json) -> Iterator[Row]:
     """Yield each algorithm that stands beside baselines, itself one or one of the paper's."""
     for name in dict.fromkeys(row["algorithm"] for row in paper["standings"]):
         own = [row for row in paper["standings"] if row["algorithm"] == name]
-        problems = list(dict.fromkeys(row["problem"] for row in own))
+        problems = list(dict.fromkeys(row["problem"] for row in own if row["problem"]))
         role = "of the paper" if PRINTED in {row["kind"] for row in own} else "baseline"
         yield [name, f"{role}, on {', '.join(problems)}"]
 

@@ -10,7 +10,6 @@ from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.stats import qmc
 
 from repro.robotics import MinimumTimeSpline
 from repro.robotics.proofs.limit_pool import Limits
@@ -45,6 +44,8 @@ def just_obeying(problem: MinimumTimeSpline, durations: Vector) -> Vector:
 
 def starts(problem: MinimumTimeSpline, first: Vector) -> Vector:
     """Return motions that obey, the fastest first; `first` need not obey and is among the tried."""
+    from scipy.stats import qmc  # noqa: PLC0415 (slow to load)
+
     share = qmc.Halton(problem.segments, scramble=False).random(DIRECTIONS + 1)[1:]
     directions = np.vstack([first, _chords(problem), np.ones(problem.segments), -np.log(share)])
     motions = just_obeying(problem, directions)

@@ -11,7 +11,6 @@ from fractions import Fraction
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import linprog
 
 from repro.errors import NotProvedError
 from repro.robotics.proofs.limit_pool import Limits
@@ -41,6 +40,8 @@ def solved(
     total: float | None = None,
 ) -> Optimum:
     """Return the least objective among durations `allowed`, with rows as they are `around`."""
+    from scipy.optimize import linprog  # noqa: PLC0415 (slow to load)
+
     weights, least, _ = limits.rows(around)
     if total is not None:
         weights = np.vstack([weights, -np.ones(len(objective))])

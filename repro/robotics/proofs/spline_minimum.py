@@ -22,7 +22,6 @@ from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import linprog
 
 from repro.errors import DeclarationError, NotProvedError
 from repro.robotics.motion_checks import LARGEST
@@ -176,6 +175,8 @@ def _optimum(
 
     Where the longest durations allowed are too short for it, it is that without them.
     """
+    from scipy.optimize import linprog  # noqa: PLC0415 (slow to load)
+
     places = list(itertools.product(range(problem.segments), range(len(problem.velocity))))
     cuts = [cut(model, *place, Fraction(k, 4)) for place in places for k in range(5)]
     bounds: tuple[float, float | None] = problem.durations

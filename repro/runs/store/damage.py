@@ -1,25 +1,41 @@
 """Setting aside what is damaged in a store: never trusted again, never deleted."""
 
 import sqlite3
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import closing, suppress
-from itertools import count
+from itertools import count, islice
 from pathlib import Path
 
-from repro.runs.store.file import NAME, UNREADABLE, read_any_text
+from repro.runs.store.file import UNREADABLE, read_any_text
 from repro.runs.store.row import COLUMNS, Row, digest, unpack, whole_curve
+from repro.runs.store.settled import NAME
 
 SIDE_FOLDER = "set-aside"
+_AT_ONCE = 1000  # rows that one transaction takes over
 
 
-def row_query(database: sqlite3.Connection) -> str:
+def row_query(database: sqlite3.Connection, where: str = "run.id = ?") -> str:
     """Return the query of one row by its id; a store of schema 1 has no column `packed`."""
     columns = database.execute("pragma table_info(curve)").fetchall()
     packed = "packed" if any(column[1] == "packed" for column in columns) else "0"
     return (
         f"select {COLUMNS}, sha, json, y, {packed} "  # noqa: S608
-        "from run left join curve using (id) left join env on env.id = run.env where run.id = ?"
+        f"from run left join curve using (id) left join env on env.id = run.env where {where}"
     )
+
+
+def rows_of(database: sqlite3.Connection, keys: Sequence[str]) -> dict[str, Row]:
+    """Return by key the rows that the index has under some keys, whole or not."""
+    query = row_query(database, f"run.key in ({', '.join('?' * len(keys))})")
+    return {str(row[0]): row for row in database.execute(query, keys)}
+
+
+def index_hides_a_row(database: sqlite3.Connection) -> bool:
+    """Return whether the index lacks a row that the table has."""
+    query = """select count(*) from run as whole not indexed where not exists (
+        select 1 from run indexed by sqlite_autoindex_run_1
+        where key = whole.key and id = whole.id)"""
+    return bool(database.execute(query).fetchone() != (0,))
 
 
 def damaged_rows(database: sqlite3.Connection) -> Iterator[str]:
@@ -78,8 +94,18 @@ def _ids(database: sqlite3.Connection) -> list[int]:
     return sorted(found)
 
 
-def take_over(database: sqlite3.Connection, row: Row) -> None:
-    """Write a whole row of another file as it is."""
+def take_over(database: sqlite3.Connection, rows: Iterator[Row]) -> int:
+    """Write whole rows of another file as they are; return how many."""
+    kept = 0
+    while batch := list(islice(rows, _AT_ONCE)):
+        with database:
+            for row in batch:
+                _take_over_one(database, row)
+        kept += len(batch)
+    return kept
+
+
+def _take_over_one(database: sqlite3.Connection, row: Row) -> None:
     *values, _, environment, curve, packed = row
     database.execute("insert or ignore into env(json) values (?)", (environment,))
     found = database.execute("select id from env where json = ?", (environment,)).fetchone()

@@ -8,8 +8,8 @@ from pathlib import Path
 
 from repro.errors import DamageError, InputError, StoreError
 from repro.runs.store.row import LONGEST
+from repro.runs.store.settled import NAME, is_settled
 
-NAME = "runs.sqlite"
 SCHEMA = 2
 APPLICATION = 0x52455052  # "REPR"
 # what SQLite says where the place is at fault and not the file
@@ -70,8 +70,7 @@ def open_to_read(path: Path, *, alone: bool) -> sqlite3.Connection:
         database = sqlite3.connect(":memory:")
         database.executescript(TABLES)
         return database
-    journal = path.with_name(f"{NAME}-wal")
-    settled = alone and not (journal.exists() and journal.stat().st_size)
+    settled = alone and is_settled(path)
     with refusing(path):
         place = f"{path.resolve().as_uri()}?mode=ro{'&immutable=1' if settled else ''}"
         database = sqlite3.connect(place, uri=True)

@@ -4,15 +4,17 @@ import sqlite3
 from collections.abc import Sequence
 
 HELD = 1_000_000  # runs of a store above which their keys are looked up and not held
-AT_ONCE = 500  # keys of one question
+AT_ONCE = 500  # keys of one question: not every SQLite takes more than 999
 
 Kind = tuple[str, str, str, str]
 """Paper, experiment, problem and algorithm."""
 
 
-def finished_keys(database: sqlite3.Connection) -> frozenset[str]:
-    """Return the keys of all finished runs."""
-    rows = database.execute("select key from run where reason is null")
+def finished_keys(database: sqlite3.Connection, paper: str | None = None) -> frozenset[str]:
+    """Return the keys of all finished runs, or of those of one paper."""
+    query = "select key from run not indexed where reason is null"
+    own = (f"{query} and paper = ?", (paper,)) if paper else (query,)
+    rows = database.execute(*own)
     return frozenset(key for (key,) in rows)
 
 

@@ -1,6 +1,7 @@
 """What one row of the store holds: a record, packed, under a digest of all of it."""
 
 import hashlib
+import sqlite3
 import zlib
 
 import numpy as np
@@ -17,6 +18,7 @@ COLUMNS = (
 LEVEL = 1  # of zlib: a third of the size for 45 µs a curve; level 6 saves another hundredth
 LONGEST = 1 << 28  # bytes that a curve may unpack to: far more than any, and no machine's memory
 
+_IN_HEX = {float, bytes}
 Values = tuple[object, ...]
 Row = tuple[object, ...]
 """The columns, then digest, environment, packed curve, and whether the curve is packed."""
@@ -68,11 +70,10 @@ def unpack(blob: object, packed: object) -> bytes | None:
 
 def digest(values: Values, environment: object, curve: bytes) -> str:
     """Return the digest of everything that a row says."""
-    texts = (
-        f"{type(value).__name__}:"
-        f"{value.hex() if isinstance(value, float | bytes) else repr(value)}\0"
+    texts = [
+        f"{type(value).__name__}:{value.hex() if type(value) in _IN_HEX else repr(value)}\0"  # type: ignore[attr-defined]
         for value in (*values, environment)
-    )
+    ]
     state = hashlib.sha256("".join(texts).encode())
     state.update(curve)
     return state.hexdigest()
@@ -109,3 +110,16 @@ def record_of(task: Task, row: Row | None) -> Record | None:
 def vector(blob: object) -> NDArray[np.float64]:
     """Return the numbers of a blob; none for what is no blob."""
     return np.frombuffer(blob if isinstance(blob, bytes) else b"", dtype=FLOAT).astype(np.float64)
+
+
+def write(database: sqlite3.Connection, record: Record, env: int | None, environment: str) -> None:
+    """Write one run with its curve, in place of one of the same key."""
+    values, curve = values_of(record, env), curve_of(record)
+    database.execute("delete from curve where id = (select id from run where key = ?)", values[:1])
+    added = database.execute(
+        f"insert or replace into run({COLUMNS}, sha) values ({', '.join('?' * 14)})",  # noqa: S608
+        (*values, digest(values, environment, curve)),
+    )
+    database.execute(
+        "insert into curve(id, y, packed) values (?, ?, 1)", (added.lastrowid, pack(curve))
+    )

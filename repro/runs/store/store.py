@@ -12,24 +12,27 @@ from typing import TYPE_CHECKING, Any, Self
 from repro.errors import DamageError, StoreError
 from repro.runs.plan import Task
 from repro.runs.run import Record
+from repro.runs.store.contents import contents, environments
 from repro.runs.store.damage import (
     damaged_rows,
+    index_hides_a_row,
     row_query,
+    rows_of,
     set_file_aside,
     take_over,
     whole_rows,
 )
-from repro.runs.store.file import NAME, UNREADABLE, open_to_read, open_to_write, refusing
+from repro.runs.store.file import UNREADABLE, open_to_read, open_to_write, refusing
 from repro.runs.store.lock import lock, lock_to_read
 from repro.runs.store.questions import AT_ONCE, Kind, finished_of, held_keys, seconds_by_kind
 from repro.runs.store.questions import finished_keys as finished_keys_of
-from repro.runs.store.row import COLUMNS, curve_of, digest, pack, record_of, values_of
+from repro.runs.store.row import record_of, write
+from repro.runs.store.settled import NAME, is_settled
 
 if TYPE_CHECKING:
     from io import BufferedReader
 
 _NAMED = 20  # damaged rows that are named one by one
-_AT_ONCE = 1000  # rows that one transaction takes over from a damaged file
 
 
 class Store:
@@ -161,28 +164,24 @@ class Store:
         """Raise DamageError where the index hides a row; looked at once."""
         if self._hides_none:
             return
-        query = """select count(*) from run as whole not indexed where not exists (
-            select 1 from run indexed by sqlite_autoindex_run_1
-            where key = whole.key and id = whole.id)"""
         with self._refusing():
-            if self._database.execute(query).fetchone() != (0,):
+            if index_hides_a_row(self._database):
                 message = f"{self.path}: the index is damaged"
                 raise DamageError(message)
         self._hides_none = True
 
     def _record(self, task: Task, number: int) -> Record:
         with self._refusing():
-            row = self._database.execute(self._row, (number,)).fetchone()
-            record = record_of(task, row)
+            record = record_of(task, self._database.execute(self._row, (number,)).fetchone())
             if record is None:
                 message = f"{self.path}: the row of {task.name} is damaged"
                 raise DamageError(message)
         return record
 
-    def finished(self) -> frozenset[str]:
-        """Return the keys of all finished runs."""
+    def finished(self, paper: str | None = None) -> frozenset[str]:
+        """Return the keys of all finished runs, or of those of one paper."""
         with self._refusing():
-            return finished_keys_of(self._database)
+            return finished_keys_of(self._database, paper)
 
     def seconds(self) -> dict[Kind, float]:
         """Return what a finished run took, by kind."""
@@ -191,15 +190,32 @@ class Store:
 
     def fingerprint(self) -> str | None:
         """Return a digest of the whole file; None while a reader keeps runs in the journal."""
-        with self._refusing():
-            (busy, *_) = self._database.execute("pragma wal_checkpoint(truncate)").fetchone()
-        if busy:
+        if self._writing:
+            with self._refusing():
+                (busy, *_) = self._database.execute("pragma wal_checkpoint(truncate)").fetchone()
+            if busy:
+                return None
+        elif self._lock is None or not is_settled(self.path):
             return None
         if self._file is None:
             # open as long as the database: closing a handle of a file drops all its locks (POSIX)
             self._file = self.path.open("rb")
         self._file.seek(0)
         return hashlib.file_digest(self._file, "sha256").hexdigest()
+
+    def contents(self) -> dict[str, str]:
+        """Return a digest of all that is stored of each paper, whole or not."""
+        with self._refusing():
+            return contents(self._database)
+
+    @contextmanager
+    def set_down(self) -> Iterator[None]:
+        """Close the file for a while, and keep the lock: copies of this process may read it."""
+        self._close()
+        try:
+            yield
+        finally:
+            self._open()
 
     def repeats(self) -> int:
         """Return how many repeats the runs are of; a damaged row adds one at most."""
@@ -209,44 +225,32 @@ class Store:
 
     def add(self, records: Iterable[Record]) -> None:
         """Write finished runs in one transaction."""
-        marks = ", ".join("?" * 14)
         with self._refusing(), self._database:
             for record in records:
-                values = values_of(record, self._env)
-                curve = curve_of(record)
-                self._database.execute(
-                    "delete from curve where id = (select id from run where key = ?)", values[:1]
-                )
-                added = self._database.execute(
-                    f"insert or replace into run({COLUMNS}, sha) values ({marks})",  # noqa: S608
-                    (*values, digest(values, self._environment, curve)),
-                )
-                self._database.execute(
-                    "insert into curve(id, y, packed) values (?, ?, 1)",
-                    (added.lastrowid, pack(curve)),
-                )
+                write(self._database, record, self._env, self._environment)
 
     def records(self, tasks: Iterable[Task]) -> Iterator[Record]:
         """Yield the stored record of each task that has one, in the order of the tasks.
 
         Raises DamageError for a row that is not what was written.
         """
-        for task in tasks:
-            number = self._number(task)
-            if number is None:
-                self._refuse_hidden()
-            else:
-                yield self._record(task, number)
+        left = iter(tasks)
+        while some := list(islice(left, AT_ONCE)):
+            with self._refusing():
+                rows = rows_of(self._database, [task.key for task in some])
+            for task in some:
+                if record := record_of(task, rows.get(task.key)):
+                    yield record
+                elif (number := self._number(task)) is not None:
+                    yield self._record(task, number)
+                else:
+                    self._refuse_hidden()
 
     def environments(self, tasks: Iterable[Task]) -> list[dict[str, object]]:
         """Return the environments in which the stored runs of these tasks were made, in order."""
-        wanted = {task.key for task in tasks}
         with self._refusing():
-            rows = self._database.execute("select key, env from run not indexed")
-            used = {env for key, env in rows if key in wanted}
-            texts = dict(self._database.execute("select id, json from env").fetchall())
             try:
-                return [json.loads(texts[env]) for env in sorted(used)]
+                return environments(self._database, tasks)
             except (KeyError, TypeError, ValueError):
                 message = f"{self.path}: the environment of a run is damaged"
                 raise DamageError(message) from None
@@ -272,14 +276,8 @@ class Store:
         with refusing(self.folder):
             aside = set_file_aside(self.folder)
         self._use(open_to_write(self.path))
-        rows = whole_rows(aside)
-        kept = 0
         with self._refusing():
-            while batch := list(islice(rows, _AT_ONCE)):
-                with self._database:
-                    for row in batch:
-                        take_over(self._database, row)
-                kept += len(batch)
+            kept = take_over(self._database, whole_rows(aside))
         self._say(
             f"{damage}; it is set aside as {aside}, {kept} whole runs are taken over from it, "
             "and any other is made again where it is asked for"

@@ -1,0 +1,63 @@
+import re
+from importlib.resources import files
+from pathlib import Path
+
+import pytest
+
+from repro.errors import InputError
+from repro.judge.verdict import Verdict
+from repro.report.glossary import glossary, term_link
+from repro.report.rendering import render
+from repro.report.rooms import ROOMS
+
+TEMPLATES = files("repro.report") / "templates"
+ROOT = Path(__file__).parents[2]
+
+
+def linked() -> set[str]:
+    """Return the words to which a template links; `term(v)` is each verdict."""
+    texts = [path.read_text() for path in Path(str(TEMPLATES)).rglob("*.jinja")]
+    return {name for text in texts for name in re.findall(r'term\("([^"]+)"', text)}
+
+
+def test_every_link_has_an_entry() -> None:
+    assert linked() <= {term.name for term in glossary().terms}
+
+
+def test_every_entry_is_linked_from_a_page_or_from_another_entry() -> None:
+    verdicts = set(map(str, Verdict))  # the index links to each of them
+    seen = {other for term in glossary().terms for other in term.see}
+
+    assert {term.name for term in glossary().terms} - seen - linked() - verdicts == set()
+
+
+def test_what_an_entry_refers_to_is_an_entry_and_no_word_stands_twice() -> None:
+    names = [term.name for term in glossary().terms]
+
+    assert len(names) == len(set(names))
+    assert {other for term in glossary().terms for other in term.see} <= set(names)
+
+
+def test_a_word_that_there_is_not_is_refused() -> None:
+    with pytest.raises(InputError, match="'raeding' is not in glossary"):
+        term_link("raeding", markdown=False)
+
+
+def test_a_link_leads_to_the_word_on_either_kind_of_page() -> None:
+    assert term_link("reading", "readings", markdown=True) == "[readings](glossary.md#reading)"
+    page = render("glossary.html", {"terms": glossary().terms})
+    for term in glossary().terms:
+        place = term_link(term.name, markdown=False).partition("#")[2].partition('"')[0]
+        assert f'<dt id="{place}">' in page
+
+
+def test_every_part_of_a_paper_says_what_else_it_is_called() -> None:
+    parts = {section.name for room in ROOMS for section in room.sections}
+
+    assert set(glossary().rooms) <= parts
+
+
+def test_the_manual_has_the_words_of_the_pages() -> None:
+    written = (ROOT / "docs" / "glossary.md").read_text(encoding="utf-8")
+
+    assert written == render("manual-glossary.md", {"terms": glossary().terms})
