@@ -1,12 +1,10 @@
-"""The words of the pages, and of the manual: python -m repro.report.glossary FILE."""
+"""The words of the pages and of the manual."""
 
-import sys
 import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
-from pathlib import Path
 
 from markupsafe import Markup
 
@@ -62,15 +60,3 @@ def term_link(name: str, text: str = "", *, markdown: bool) -> Markup:
     if markdown:
         return Markup("[{}]({}.md#{})").format(shown, PAGE, found.anchor)
     return Markup('<a class="term" href="{}.html#{}">{}</a>').format(PAGE, found.anchor, shown)
-
-
-def main() -> None:
-    """Write the words as a page of the manual."""
-    from repro.report.rendering import render  # noqa: PLC0415 (which names the links above)
-
-    text = render("manual-glossary.md", {"terms": glossary().terms})
-    Path(sys.argv[1]).write_text(text, encoding="utf-8")
-
-
-if __name__ == "__main__":
-    main()
