@@ -5,6 +5,7 @@ import subprocess
 import sys
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from functools import partial
 from itertools import islice
 from pathlib import Path
@@ -15,6 +16,7 @@ import numpy as np
 import pytest
 from pytest_benchmark.fixture import BenchmarkFixture
 
+from benchmarks.goals import measured
 from benchmarks.measuring import in_turns, seconds, timed
 from benchmarks.ours import PROBLEMS, optimiser
 from benchmarks.results import Results, Section
@@ -29,6 +31,7 @@ from repro.runs.plan import Task, plan
 from repro.runs.run import Record, execute
 from repro.runs.session import run_missing
 from repro.runs.store.store import Store
+from repro.runs.time_left import kind_of
 from repro.runs.workers.local import usable_cores
 
 ROOT = Path(__file__).parent.parent
@@ -48,6 +51,12 @@ PARTS = Section(
     title="Parts of the engine",
     text="Milliseconds.",
     columns=("part", "how much", "ms"),
+)
+RUNS = Section(
+    title="All runs of the mission's papers",
+    text="Seconds that all planned runs take, from one run of each kind in processor time, by two "
+    "cores; readings that seem to turn a verdict are deepened by a sixth of that at most.",
+    columns=("repeats", "on 2 cores [s]", "protocol", "baselines", "other studies"),
 )
 CORES = Section(
     title="Scaling and overhead",
@@ -87,7 +96,60 @@ def test_reproduce(
     taken: list[float] = []
     call_it = reproduce(folder, store)
     timed(benchmark, lambda: taken.append(seconds(call_it, perf_counter)), rounds=rounds)
-    results.add(WHOLE, call, f"{median(taken):.1f}")
+    results.add(WHOLE, call, measured(median(taken), ".1f"))
+
+
+@pytest.mark.parametrize(
+    ("call", "arguments"),
+    [
+        ("`report`", ("-m", "repro", "report", "--repeats", "1")),
+        ("`list`", ("-m", "repro", "list", "--repeats", "1")),
+        ("`audit syji`", ("-m", "repro", "audit", "syji")),
+        ("`import repro`", ("-c", "import repro")),
+    ],
+    ids=["report", "list", "audit", "import"],
+)
+def test_everyday(
+    benchmark: BenchmarkFixture,
+    results: Results,
+    folder: Path,
+    call: str,
+    arguments: tuple[str, ...],
+) -> None:
+    """Commands at the store of `test_reproduce`, as programs of their own."""
+    places: tuple[str | Path, ...] = ()
+    if "--repeats" in arguments:
+        places = ("--store", folder / "second")
+    if "report" in arguments:
+        places = (*places, "--reports", folder / "second reports")
+    run = partial(
+        subprocess.run, (sys.executable, *arguments, *places), check=True, capture_output=True,
+        env=os.environ | {"NUMBA_CACHE_DIR": str(folder / "numba"), "PYTHONPATH": str(ROOT)},
+    )  # fmt: skip
+    taken = in_turns(benchmark, {call: run}, rounds=3, clock=perf_counter)
+    results.add(WHOLE, call, measured(median(taken[call]), ".2f"))
+
+
+def test_all_runs(benchmark: BenchmarkFixture, results: Results) -> None:
+    mission = [paper for paper in PAPERS.values() if not paper.control]
+    kinds: dict[tuple[str, ...], float] = {}
+
+    def one_of_each() -> None:
+        for task in plan(mission, TEN):
+            if kind_of(task) not in kinds:
+                execute(replace(task, iterations=1, evaluations=None))  # compiled before
+                kinds[kind_of(task)] = seconds(partial(execute, task))
+
+    timed(benchmark, one_of_each)
+    for repeats in (TEN, 2 * TEN):
+        spent = dict.fromkeys(("protocol", "baselines", "other studies"), 0.0)
+        for task in plan(mission, repeats):
+            inside = "baselines]" in task.experiment, "[" in task.experiment
+            name = {(True, True): "baselines", (False, True): "other studies"}.get(inside)
+            spent[name or "protocol"] += kinds[kind_of(task)]
+        whole = sum(spent.values())
+        shares = (measured(100 * part / whole, ".0f %") for part in spent.values())
+        results.add(RUNS, str(repeats), measured(whole / 2, ".0f"), *shares)
 
 
 def test_compiling(benchmark: BenchmarkFixture, results: Results, folder: Path) -> None:
@@ -106,7 +168,7 @@ def test_compiling(benchmark: BenchmarkFixture, results: Results, folder: Path) 
     call = partial(subprocess.run, (sys.executable, "-c", code), env=environment, check=True)
     taken: list[float] = []
     timed(benchmark, lambda: taken.append(seconds(call, perf_counter)))
-    results.add(WHOLE, "compiling everything, nothing else", f"{median(taken):.1f}")
+    results.add(WHOLE, "compiling everything, nothing else", measured(median(taken), ".1f"))
 
 
 def test_planning(benchmark: BenchmarkFixture, results: Results) -> None:
@@ -207,7 +269,8 @@ def test_cores(benchmark: BenchmarkFixture, results: Results, tmp_path: Path) ->
     slower = f"{median(searches[2]) / median(searches[1]):.2f}"
     times = (f"{one:.2f}", f"{two:.2f}")
     results.add(
-        CORES, str(len(tasks)), *times, f"{efficiency:.2f}", f"{100 * overhead:.1f} %", slower
+        *(CORES, str(len(tasks)), *times, measured(efficiency, ".2f")),
+        *(measured(100 * overhead, ".1f %"), slower),
     )
 
 

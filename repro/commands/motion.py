@@ -18,6 +18,7 @@ from repro.robotics import MinimumTime
 from repro.robotics.proofs.proved import FREE
 from repro.robotics.proofs.watch import Watch
 
+PRINTED = "-"  # as the name of a file: to the standard output
 SHARE = 0.25  # of the time allowed, that what limits cost may take besides
 
 
@@ -30,6 +31,10 @@ def run(options: Namespace) -> int:
         if getattr(options, name) and len(options.files) > 1:
             message = f"--{name} takes one motion, not {len(options.files)}"
             raise InputError(message)
+    printed = [name for name in ("csv", "html") if str(getattr(options, name)) == PRINTED]
+    if len(printed) + bool(options.json) > 1:
+        message = "--json, --csv - and --html - are all printed: keep one of them"
+        raise InputError(message)
     found, refused = [], 0
     for name in options.files:
         try:
@@ -42,7 +47,8 @@ def run(options: Namespace) -> int:
     if options.json:
         show_json([row(each) for each in found])
     else:
-        sys.stdout.writelines(f"{line}\n" for each in found for line in lines(each))
+        stream = sys.stderr if printed else sys.stdout
+        stream.writelines(f"{line}\n" for each in found for line in lines(each))
     return refused
 
 
@@ -125,6 +131,9 @@ def _write(options: Namespace, found: OwnResult) -> None:
 
 
 def _to(path: Path, text: str) -> None:
+    if str(path) == PRINTED:
+        sys.stdout.write(text)
+        return
     try:
         path.write_text(text, encoding="utf-8")
     except OSError as error:

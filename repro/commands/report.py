@@ -11,6 +11,7 @@ from repro.commands.written_pages import made_pages, write_made
 from repro.errors import InputError
 from repro.model.paper import Paper
 from repro.report.earlier import check_folder
+from repro.report.files import usable_folder
 from repro.runs.plan import plan
 from repro.runs.store.store import Store
 
@@ -24,6 +25,7 @@ def run(options: Namespace) -> int:
         if not store.path.exists():
             message = f"there is no store in {options.store}; `repro reproduce` makes one"
             raise InputError(message)
+        usable_folder(options.reports)
         asked = [_asked(paper, options) for paper in chosen]
         made = made_pages(store, asked, options.places, known)
         write_made(made, options.reports, known)

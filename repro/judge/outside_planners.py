@@ -24,6 +24,7 @@ from repro.robotics.bsplines import spans
 Vector = NDArray[np.float64]
 Problem = TypeVar("Problem")
 GRID = 1000  # points of toppra's grid; with few points it can exceed a velocity limit
+LINE = 120  # characters of what a planner says of its failure
 ROUNDING = 1e-6  # share of a limit that a planner's own arithmetic may lose
 
 
@@ -74,6 +75,8 @@ def _asked(
         skipped = f"{error.name} is not installed: pip install 'repro-whales[references]'"
     except NoAnswerError as error:
         skipped = str(error)
+    except Exception as error:  # noqa: BLE001 (whatever a planner raises of its own)
+        skipped = f"it raises {type(error).__name__}: {_line(error)}"
     return OutsideReference(
         paper=paper,
         problem=name,
@@ -82,6 +85,10 @@ def _asked(
         time=time,
         skipped=skipped,
     )
+
+
+def _line(error: Exception) -> str:
+    return " ".join(str(error).split())[:LINE]
 
 
 def ruckig_time(problem: MinimumTime) -> float:
@@ -105,8 +112,8 @@ def _ruckig_segment(problem: MinimumTime, segment: int) -> float:
     place = f"ruckig has no motion for segment {segment + 1}"
     try:
         result = Ruckig(joints).calculate(wanted, found)
-    except (ValueError, RuntimeError) as error:
-        message = f"{place}: {' '.join(str(error).split())}"
+    except Exception as error:  # noqa: BLE001 (its own kind of error is no kind of ours)
+        message = f"{place}: {_line(error)}"
         raise NoAnswerError(message) from None
     if result not in (Result.Working, Result.Finished):
         message = f"{place}: {result!s}"
@@ -191,7 +198,7 @@ def _along(path: Callable[..., Vector], knots: Vector, *, limits: Vector) -> flo
     grid = np.union1d(np.linspace(knots[0], knots[-1], GRID), knots)
     planner = algorithm.TOPPRA(asked, Path(), gridpoints=grid)
     along, speeds, _ = planner.compute_parameterization(0.0, 0.0)
-    if along is None or speeds is None or not np.isfinite(speeds).all():
+    if along is None or speeds is None or not _moves(speeds):
         message = "toppra has no motion along the spline through these waypoints"
         raise NoAnswerError(message)
     steps = 2.0 * np.diff(grid) / (speeds[:-1] + speeds[1:])
@@ -199,3 +206,8 @@ def _along(path: Callable[..., Vector], knots: Vector, *, limits: Vector) -> flo
     return float(steps.sum()) * slowing(
         grid, speeds, slope, bend, velocity=velocity, acceleration=acceleration
     )
+
+
+def _moves(speeds: Vector) -> bool:
+    """Return whether a path with these speeds at its grid's points is passed in finite time."""
+    return bool(np.isfinite(speeds).all() and (speeds[:-1] + speeds[1:] > 0.0).all())

@@ -1,4 +1,4 @@
-"""The words of the pages, and of the manual."""
+"""The words of the pages and of the manual."""
 
 import tomllib
 from collections.abc import Mapping

@@ -1,4 +1,4 @@
-"""Write the words of the pages for the manual: python -m repro.report.manual_glossary FILE."""
+"""The words as a page of the manual: python -m repro.report.manual_glossary FILE."""
 
 import sys
 from pathlib import Path
@@ -8,7 +8,7 @@ from repro.report.rendering import render
 
 
 def main() -> None:
-    """Write the words as a page of the manual."""
+    """Write the page."""
     text = render("manual-glossary.md", {"terms": glossary().terms})
     Path(sys.argv[1]).write_text(text, encoding="utf-8")
 

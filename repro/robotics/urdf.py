@@ -86,6 +86,9 @@ def _from_base(joint: Any, by_child: dict[str, Any]) -> list[Any]:  # noqa: ANN4
         if any(before is other for other in chain):
             message = f"is no chain: joint {before.name} comes back to itself"
             raise InputError(message)
+        if before.mimic is not None:
+            message = f"joint {before.name} mimics {before.mimic.joint}: it does not move by itself"
+            raise InputError(message)
         if before.type not in {*MOVING, "fixed"}:
             known = ", ".join((*MOVING, "fixed"))
             message = f"joint {before.name} is {before.type}: an arm's are {known}"

@@ -1,11 +1,11 @@
 import pytest
 
 from benchmarks import test_audit, test_engine, test_limit, test_peers
-from benchmarks.goals import GOALS, Goal, held_against
+from benchmarks.goals import GOALS, Goal, held_against, measured
 from benchmarks.results import Results, Section
 
 SECTIONS = (
-    *(test_engine.WHOLE, test_engine.CORES),
+    *(test_engine.WHOLE, test_engine.RUNS, test_engine.CORES),
     *(test_audit.AUDIT, test_limit.LIMIT, test_peers.PEERS),
 )
 SPEED = Goal(says="a", section="Speed", where={"who": "a"}, column="times", bound=1000, unit=" ×")
@@ -54,3 +54,12 @@ def test_the_page_holds_its_own_numbers_against_the_goals() -> None:
 
     assert "| `reproduce` with nothing to do | ≤ 2 s | **missed**: 2.5 s |" in results.text()
     assert next(held_against({}))[2] == "not measured"
+
+
+def test_a_goal_is_held_against_what_was_measured_and_not_against_what_is_shown() -> None:
+    goal = Goal(says="d", section="S", column="x", bound=0.9, unit="", at_least=True)
+
+    shown = measured(0.896, ".2f")
+
+    assert shown == "0.90"
+    assert goal.came_to([{"x": shown}]) == "**missed**: 0.896"

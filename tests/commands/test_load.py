@@ -58,9 +58,8 @@ def test_frames_of_reports_are_the_rows_of_results_json(place: Path, kind: str) 
 def test_findings_are_the_rows_of_the_csv_files(place: Path) -> None:
     found = repro.load(place / "reports").findings
 
-    file = pd.read_csv(
-        place / "reports" / "tables" / "small2020-table-1.csv", float_precision="round_trip"
-    )
+    path = place / "reports" / "tables" / "small2020-table-1.csv"
+    file = pd.read_csv(path, dtype={"measured_low": str})  # older pandas loses a last bit
     own = found[list(FINDING)].reset_index(drop=True)
     assert list(file) == list(FINDING)
     assert len(own) == 4

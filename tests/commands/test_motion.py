@@ -120,6 +120,21 @@ def test_csv_has_the_columns_of_a_trajectory_and_instants_that_increase(
         assert np.abs(values[:, 4:7]).max() <= np.radians(180) * (1 + 1e-9)
 
 
+@pytest.mark.parametrize("option", ["--csv", "--html"])
+def test_file_called_dash_is_printed_and_what_is_said_goes_beside_it(
+    option: str, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    path = write(tmp_path)
+    code, out, err = asked(capsys, path, option, "-")
+
+    assert code == 0
+    assert out.startswith(("time_from_start,", "<!doctype html>", "<!DOCTYPE html>"))
+    assert "pick and place: minimum" in err
+    assert not (tmp_path / "-").exists()
+    assert asked(capsys, path, option, "-", "--json")[0] == 2
+
+
 def test_page_needs_nothing_else_and_escapes_what_a_file_says(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -84,7 +84,13 @@ def failing(answer: object) -> SimpleNamespace:
     )
 
 
-@pytest.mark.parametrize("answer", [-100, ValueError("no\nroot"), RuntimeError("no root")])
+class OwnError(Exception):
+    """What a planner raises that is no kind of Python's."""
+
+
+@pytest.mark.parametrize(
+    "answer", [-100, ValueError("no\nroot"), RuntimeError("no root"), OwnError("\n" * 99)]
+)
 def test_what_ruckig_says_of_its_failure_is_looked_at(
     answer: object, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -151,3 +157,16 @@ def test_of_a_spline_toppra_alone_is_asked_on_the_path_of_the_paper() -> None:
     assert row.planner == "toppra"
     assert "the paper's own B-spline in the angles" in row.what
     assert (row.time is None) == bool(row.skipped)
+
+
+def test_whatever_a_planner_raises_is_a_reason_in_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    def raising(_: MinimumTimeSpline) -> float:
+        """Time of nothing, in s."""
+        raise OwnError("no\n" * 999)
+
+    monkeypatch.setattr("repro.judge.outside_planners.toppra_path_time", raising)
+    (row,) = references_of(STRAIGHT, paper="key", name="motion/arm")
+
+    assert row.skipped.startswith("it raises OwnError: ")
+    assert "\n" not in row.skipped
+    assert len(row.skipped) < 200

@@ -115,6 +115,12 @@ def test_prismatic_and_continuous_joints_of_a_description(tmp_path: Path) -> Non
             joint("one", "floating", "a", "b") + joint("two", "continuous", "b", "c"),
             "joint one is floating: an arm's are revolute, continuous, prismatic, fixed",
         ),
+        (
+            joint("one", "continuous", "a", "b")
+            + joint("two", "continuous", "b", "c", '<mimic joint="one"/>')
+            + joint("three", "continuous", "c", "d"),
+            "joint two mimics one: it does not move by itself",
+        ),
         (joint("one", "continuous", "a", "b", '<axis xyz="0 0 0"/>'), "axis of joint one is 0"),
         ("<joint", "is no URDF"),
     ],

@@ -14,7 +14,7 @@ APART = 10  # px between papers
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class PaperStrip:
+class Squares:
     """The squares of one paper: verdict, and how many px to the right and below the others."""
 
     name: str
@@ -36,6 +36,6 @@ def picture(papers: Iterable[Json]) -> dict[str, object]:
             (anchor(verdict), NAMES + STEP * column, top + STEP * line)
             for verdict, (line, column) in zip(verdicts, places, strict=True)
         )
-        found.append(PaperStrip(name=paper["cited"], top=top, squares=squares))
+        found.append(Squares(name=paper["cited"], top=top, squares=squares))
         top = squares[-1][2] + STEP + APART
     return {"strips": tuple(found), "height": top, "held": held}

@@ -26,7 +26,9 @@ def row_query(database: sqlite3.Connection, where: str = "run.id = ?") -> str:
 
 def rows_of(database: sqlite3.Connection, keys: Sequence[str]) -> dict[str, Row]:
     """Return by key the rows that the index has under some keys, whole or not."""
-    query = row_query(database, f"run.key in ({', '.join('?' * len(keys))})")
+    # by id, so that the key that is read is the row's own and not the index's
+    asked = f"select id from run where key in ({', '.join('?' * len(keys))})"  # noqa: S608
+    query = row_query(database, f"run.id in ({asked})")
     return {str(row[0]): row for row in database.execute(query, keys)}
 
 
