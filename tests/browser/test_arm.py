@@ -235,9 +235,9 @@ def test_buttons_look_along_the_axes(view: Open) -> None:
 
 
 def test_the_motion_pauses_when_it_is_scrolled_out_of_sight(view: Open) -> None:
-    page = view()
+    page = view(viewport={"width": 800, "height": 450})
     page.locator(".arm-play").click()
-    page.evaluate("scrollTo({top: 0, behavior: 'instant'})")
+    page.evaluate("scrollTo({top: document.body.scrollHeight, behavior: 'instant'})")
     expect(page.locator(".arm-play")).to_have_text("Play")
     stopped = seconds(page)
     page.wait_for_timeout(300)

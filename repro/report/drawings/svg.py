@@ -57,7 +57,7 @@ def standalone(svg: str) -> str:
 
 
 def _rounded(body: str) -> str:
-    """Return the body with coordinates in tenths of a point, a sixth of a pixel where a drawing is widest."""
+    """Return the body with coordinates in tenths of a point: a sixth of a pixel, at its widest."""
 
     def short(decimal: re.Match[str]) -> str:
         return f"{float(decimal[0]):.1f}".rstrip("0").rstrip(".")
