@@ -66,6 +66,11 @@ class Asking:
     def ask(self): return self.rng.uniform(*self.bounds.T, size=(4, len(self.bounds)))
     def tell(self, points, costs): pass
 """
+PROGRAM = """
+import runpy, signal
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell may have it ignored
+runpy.run_module("repro", run_name="__main__", alter_sys=True)
+"""
 Run = Callable[..., tuple[int, str, str]]
 
 
@@ -242,18 +247,21 @@ def test_code_that_cannot_be_kept_is_said_once(run: Run, monkeypatch: pytest.Mon
     assert err.count("repro: compiled code cannot be kept") == 1
 
 
-def test_termination_is_told_by_143(tmp_path: Path) -> None:
+@pytest.mark.parametrize(("sent", "code"), [(signal.SIGTERM, 143), (signal.SIGINT, 130)])
+def test_what_ends_it_is_told_by_its_exit_code(
+    tmp_path: Path, sent: signal.Signals, code: int
+) -> None:
     (tmp_path / "mine.py").write_text(MODULE)
     process = subprocess.Popen(
-        (sys.executable, "-m", "repro", "compare", "mine:never", "liang2026", "--runs", "1"),
+        (sys.executable, "-c", PROGRAM, "compare", "mine:never", "liang2026", "--runs", "1"),
         cwd=tmp_path, stderr=subprocess.PIPE, text=True,
         env={**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])},
     )  # fmt: skip
     while not (tmp_path / ".repro" / "runs.sqlite").exists():
         time.sleep(0.05)
     time.sleep(0.5)
-    process.send_signal(signal.SIGTERM)
+    process.send_signal(sent)
 
     _, err = process.communicate(timeout=60)
-    assert process.returncode == 143
+    assert process.returncode == code
     assert "Traceback" not in err
