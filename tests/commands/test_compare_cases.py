@@ -17,7 +17,7 @@ from tests.determinism.edited_packages import forget
 from tests.small_papers import PAPER, let_be_known
 
 MODULE = """
-import random, time
+import os, random, time
 from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 from scipy.optimize import direct, differential_evolution
@@ -47,6 +47,10 @@ def batch(cost, bounds, budget, rng):
 def boxed(cost, bounds, budget, rng): return direct(cost, bounds, maxfun=budget).x
 def loud(cost, bounds, budget, rng):
     print("LOUD")
+    return guess(cost, bounds, budget, rng)
+def wanders(cost, bounds, budget, rng):
+    os.mkdir(f"{budget}-{rng.integers(1 << 40)}")
+    os.chdir("/")
     return guess(cost, bounds, budget, rng)
 def never(cost, bounds, budget, rng):
     while True: time.sleep(0.01)
@@ -216,6 +220,25 @@ def test_search_is_named_by_its_file_and_found_again_from_elsewhere(
     forget()
     assert main(("verify",)) == 0
     assert "match: 3" in capfd.readouterr().out
+
+
+def test_file_of_a_package_is_a_module_of_it(run: Run, tmp_path: Path) -> None:
+    inner = mkdir(mkdir(tmp_path / "pack") / "inner")
+    for folder in (inner, inner.parent):
+        (folder / "__init__.py").touch()
+    (inner.parent / "parts.py").write_text(MODULE)
+    (inner / "own.py").write_text("from ..parts import guess as near\n")
+
+    assert run("./pack/inner/own.py:near")[0] == 0
+
+    assert results("near")["places"] == {"near": "pack.inner.own:near"}
+
+
+def test_every_run_begins_in_the_same_folder(run: Run, tmp_path: Path) -> None:
+    code, *_ = run("mine:wanders", "--runs", "3", "--no-centre-bias")
+
+    assert code == 0
+    assert len(list(tmp_path.glob("20-*"))) == 3
 
 
 @pytest.mark.parametrize(
