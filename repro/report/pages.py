@@ -129,6 +129,7 @@ def _rooms(
     live = [drawing for drawing in drawings if drawing.scene]
     filled = {
         "times": timed,
+        "heat_map": any(finding.table for finding in judgement.findings),
         "optimum": judgement.certificates,
         "figures": len(drawings) > len(live),
         "arm": live,

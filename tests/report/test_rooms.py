@@ -81,7 +81,7 @@ def test_the_markdown_page_has_contents_that_lead_to_its_parts_and_figures_besid
 
     assert {"claims", "tables", "audit", "figures", "provenance"} <= set(parts)
     assert all(text.count(f'<a id="{part}"></a>') == 1 for part in parts)
-    assert len(pictures) == 5
+    assert len(pictures) == 6
     for name in pictures:
         drawn = ET.fromstring(pages[name])  # noqa: S314 (our own drawing)
         assert drawn.tag.endswith("svg")
@@ -89,12 +89,14 @@ def test_the_markdown_page_has_contents_that_lead_to_its_parts_and_figures_besid
         assert pages[name.replace("figures/", "tables/").replace(".svg", ".csv")]
 
 
-def test_captions_are_a_title_and_one_sentence(tmp_path: Path) -> None:
+def test_captions_are_a_title_and_one_sentence_and_their_numbers_are_folded(
+    tmp_path: Path,
+) -> None:
     page = pages_of(tmp_path)["doe2021.figures.html"]
-    captions = [re.sub("<.*?>", "", c) for c in re.findall(r"<figcaption>(.*?)</figcaption>", page)]
+    captions = re.findall(r"<figcaption>(.*?)</figcaption>", page, re.DOTALL)
     assert len(captions) == 2
-    assert all(caption.endswith(" Data (CSV)") for caption in captions)
-    assert "3 = 3 s" in page
-    assert "3 = 3 s" not in " ".join(captions)
-    assert "after 12 iterations" in page  # in the words for who does not see
-    assert "after 12 iterations" not in " ".join(captions)
+    for caption, number in zip(captions, ("after 12 iterations", "3 = 3 s"), strict=True):
+        shown, _, folded = caption.partition("<details>")
+        assert "CSV" in shown
+        assert number in folded
+        assert number not in shown
