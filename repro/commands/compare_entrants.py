@@ -10,6 +10,7 @@ import json
 import re
 import sys
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from importlib.machinery import ModuleSpec
 from pathlib import Path
 from typing import Any
 
@@ -57,8 +58,8 @@ def named(
 def in_module(place: str) -> str:
     """Return "module:object" for "file.py:object", and any other place as it is.
 
-    The file's folder becomes one where modules are looked for. Raises InputError where there is no
-    such file, or another module has its name.
+    A file of a package is a module of that. The folder that holds all becomes one where modules
+    are looked for. Raises InputError where there is no such file, or another module has its name.
     """
     file, _, name = place.rpartition(":")
     path = Path(file).resolve()
@@ -67,15 +68,28 @@ def in_module(place: str) -> str:
     if not path.is_file():
         message = f"no file {file}"
         raise InputError(message)
-    for folder in (str(Path.cwd()), str(path.parent)):
+    home, parts = path.parent, [path.stem]
+    while (home / "__init__.py").is_file():
+        home, parts = home.parent, [home.name, *parts]
+    for folder in (str(Path.cwd()), str(home)):
         if folder not in sys.path:
             sys.path.insert(0, folder)
-    spec = importlib.util.find_spec(path.stem) if path.stem.isidentifier() else None
+    module = ".".join(parts)
+    spec = _spec_of(module) if all(part.isidentifier() for part in parts) else None
     if spec is None or Path(spec.origin or "").resolve() != path:
         other = f": there is {spec.origin}" if spec else ""
-        message = f"{file} cannot be imported as {path.stem!r}{other}; give it another name"
+        message = f"{file} cannot be imported as {module!r}{other}; give it another name"
         raise InputError(message)
-    return f"{path.stem}:{name}"
+    return f"{module}:{name}"
+
+
+def _spec_of(module: str) -> ModuleSpec | None:
+    """Return where a module would be imported from; InputError where its package cannot be."""
+    try:
+        return importlib.util.find_spec(module)
+    except Exception as error:  # noqa: BLE001 (the user's package may do anything)
+        message = f"{module!r} cannot be imported: {type(error).__name__}: {error}"
+        raise InputError(message) from None
 
 
 def home_of(place: str) -> str:

@@ -19,9 +19,10 @@ from repro.judge.users_search import chance_warnings, users_search
 from repro.model.evidence import Evidence
 from repro.model.paper import Paper
 from repro.optimisers.libraries import BASELINES
-from repro.runs.compared import Compared, moved, moved_tasks, narrowed, remember
+from repro.runs.compared import Compared, beside, moved, moved_tasks, narrowed, remember
 from repro.runs.gather import gather
 from repro.runs.honesty import identical, probed
+from repro.runs.moved_optima import CONTROL, FLOOR
 from repro.runs.plan import Task, plan
 from repro.runs.run import Record
 from repro.runs.store.store import Store
@@ -151,25 +152,29 @@ def _parts(
     store: Store, paper: Paper, own: Paper, tasks: Sequence[Task], asked: Asked
 ) -> list[Part]:
     """Return each experiment judged, with the runs of others that the store has of it."""
-    names = {experiment.name: experiment for experiment in own.experiments}
-    others = gather(store, paper, plan([paper], ENOUGH), studies(paper, ENOUGH))
+    others = _others(store, beside(paper, own), asked)
     aside = replace(own, experiments=(*own.experiments, *moved(own)))
     found = gather(store, aside, (*tasks, *(moved_tasks(own) if asked.centre_bias else ())))
     runs = {**others.runs, **found.runs}
     certificates = certify(paper)
     parts = []
-    for whole in paper.experiments:
-        if whole.name in names:
-            some = replace(whole, problems=names[whole.name].problems)
-            judged = users_search(
-                paper, some, runs, certificates, name=tuple(asked.searches), against=asked.against
-            )
-            evidence = Evidence(paper.key, (some,), runs)
-            bias = users_bias(some, evidence, asked.searches, against=asked.against)
-            parts.append(
-                Part(paper=paper, experiment=some, found=judged, evidence=evidence, bias=bias)
-            )
+    for some in beside(paper, own).experiments:
+        judged = users_search(
+            paper, some, runs, certificates, name=tuple(asked.searches), against=asked.against
+        )
+        evidence = Evidence(paper.key, (some,), runs)
+        bias = users_bias(some, evidence, asked.searches, against=asked.against)
+        parts.append(Part(paper=paper, experiment=some, found=judged, evidence=evidence, bias=bias))
     return parts
+
+
+def _others(store: Store, paper: Paper, asked: Asked) -> Evidence:
+    """Return the runs of others that stand beside: of no reading, and of whom is asked for."""
+    besides = [each for each in studies(paper, ENOUGH) if asked.centre_bias or each.kind != "shift"]
+    wanted = {*asked.against, CONTROL, FLOOR}
+    planned = plan([paper], ENOUGH)
+    some = [task for task in planned if not asked.against or task.algorithm in wanted]
+    return gather(store, paper, some, besides)
 
 
 def _missing(parts: Sequence[Part], asked: Asked, options: Namespace) -> list[Missing]:

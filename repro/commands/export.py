@@ -29,7 +29,7 @@ def run(options: Namespace) -> int:
     source = _source(options)
     results = load(source, options.keys)
     keys = _keys(results, options.keys, source)
-    usable_folder(options.to)
+    usable_folder(options.to, "the folder")
     written = False
     for key in keys:
         try:

@@ -24,7 +24,7 @@ from repro.report.frames import (
     runs_frame,
     standings_frame,
 )
-from repro.report.results import Json, read_results
+from repro.report.results import SCHEMA, Json, read_json, read_results
 from repro.report.run_files import place_of_biases, place_of_runs, read_biases, read_runs
 from repro.runs.raw_runs import PROTOCOL
 from repro.runs.store.settled import NAME
@@ -168,7 +168,13 @@ def load(place: str | PathLike[str], papers: Iterable[str] = ()) -> Results:
         return Results(Stored(place=folder, papers=found_papers(papers)))
     if (results := read_results(folder / RESULTS)) is not None:
         return Results(Reports(place=folder, results=results))
-    message = f"{place} is neither a folder of reports with {RESULTS} nor a store with {NAME}"
+    if (held := read_json(folder / RESULTS)) is not None:
+        message = (
+            f"{folder / RESULTS} is of schema {held.get('schema')!r:.20}, and this version reads "
+            f"{SCHEMA}: `repro report` writes it anew"
+        )
+        raise InputError(message)
+    message = f"{path} is neither a folder of reports with {RESULTS} nor a store with {NAME}"
     raise InputError(message)
 
 

@@ -165,10 +165,10 @@ class Stored:
 
     def _without_runs(self, store: Store, key: str) -> NoRunsError:
         held = len(store.finished())
+        command = shlex.join(["repro", "reproduce", key, "--store", str(self.place)])
         return NoRunsError(
-            f"{self.place} has no run of {key} as it stands, and {held} of other papers or of "
-            f"earlier code: `{shlex.join(['repro', 'reproduce', key, '--store', str(self.place)])}`"
-            " makes them"
+            f"{self.place} has no run of {key} as it stands, and {held} of other papers, of "
+            f"compared searches or of earlier code: `{command}` makes them"
         )
 
     def _paper(self, key: str) -> Paper:

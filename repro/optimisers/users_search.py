@@ -5,8 +5,9 @@ import importlib
 import math
 import os
 import sys
-from contextlib import redirect_stdout
+from contextlib import chdir, redirect_stdout
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any, ClassVar, Unpack
 
 import numpy as np
@@ -73,7 +74,11 @@ class Entrant:
         state = f"{salt}{budget['rng'].bit_generator.state}"
         seed = int.from_bytes(hashlib.sha256(state.encode()).digest()[:4], "big")
         try:
-            with seeded(seed), stopping_threads():
+            with (
+                seeded(seed),
+                stopping_threads(),
+                chdir(Path.cwd()),
+            ):  # each run begins where all do
                 found = as_object(self.found())
                 if speaks_protocol(found):
                     return _by_protocol(found, problem, budget)

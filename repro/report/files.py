@@ -13,7 +13,7 @@ Texts = dict[str, str]
 """Texts of files by their place in a folder."""
 
 
-def usable_folder(folder: Path) -> None:
+def usable_folder(folder: Path, called: str = "the reports folder") -> None:
     """Make the folder; InputError where it cannot be written."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -22,7 +22,7 @@ def usable_folder(folder: Path) -> None:
     except OSError as error:
         usable, reason = False, str(error.strerror)
     if not usable:
-        message = f"the reports folder {folder} cannot be used: {reason}"
+        message = f"{called} {folder} cannot be used: {reason}"
         raise InputError(message)
 
 

@@ -158,10 +158,10 @@ def counted(group: str | None, others: int) -> str:
     return f"counts once with {others} other{'s' if others > 1 else ''}: {group}"
 
 
-def markdown_cell(text: object) -> str:
+def markdown_cell(text: object) -> Markup:
     """Return text that stays one cell of a Markdown table and can open no tag and no link."""
     plain = " ".join(str(text).split("\n"))
-    return markdown_text(plain.replace("|", "\\|"))
+    return Markup(markdown_text(plain.replace("|", "\\|")))  # noqa: S704 (escaped once)
 
 
 def again_command(paper: str, called: str, name: str, master_seed: str) -> str:

@@ -58,9 +58,21 @@ def narrowed(
                      if not problems or name in problems})
     )  # fmt: skip
     bare = replace(
-        paper, results=(), claims=(), assumptions=(), together=(), figures=(), relations=()
-    )
+        paper, results=(), claims=(), assumptions=(), together=(), figures=(), relations=(),
+        motion_readings=(),
+    )  # fmt: skip
     return replace(bare, experiments=kept)
+
+
+def beside(paper: Paper, own: Paper) -> Paper:
+    """Return what a narrowed paper has left of a paper's protocols, with the paper's algorithms."""
+    problems = {experiment.name: experiment.problems for experiment in own.experiments}
+    kept = tuple(
+        replace(experiment, problems=problems[experiment.name])
+        for experiment in paper.experiments
+        if experiment.name in problems
+    )
+    return replace(own, experiments=kept)
 
 
 def moved(own: Paper) -> tuple[Experiment, ...]:

@@ -17,7 +17,7 @@ from tests.determinism.edited_packages import forget
 from tests.small_papers import PAPER, let_be_known
 
 MODULE = """
-import random, time
+import os, random, time
 from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 from scipy.optimize import direct, differential_evolution
@@ -48,6 +48,10 @@ def boxed(cost, bounds, budget, rng): return direct(cost, bounds, maxfun=budget)
 def loud(cost, bounds, budget, rng):
     print("LOUD")
     return guess(cost, bounds, budget, rng)
+def wanders(cost, bounds, budget, rng):
+    os.mkdir(f"{budget}-{rng.integers(1 << 40)}")
+    os.chdir("/")
+    return guess(cost, bounds, budget, rng)
 def never(cost, bounds, budget, rng):
     while True: time.sleep(0.01)
 
@@ -65,6 +69,11 @@ class Asking:
     def __init__(self, bounds, budget, rng): self.bounds, self.rng = bounds, rng
     def ask(self): return self.rng.uniform(*self.bounds.T, size=(4, len(self.bounds)))
     def tell(self, points, costs): pass
+"""
+PROGRAM = """
+import runpy, signal
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell may have it ignored
+runpy.run_module("repro", run_name="__main__", alter_sys=True)
 """
 Run = Callable[..., tuple[int, str, str]]
 
@@ -213,6 +222,25 @@ def test_search_is_named_by_its_file_and_found_again_from_elsewhere(
     assert "match: 3" in capfd.readouterr().out
 
 
+def test_file_of_a_package_is_a_module_of_it(run: Run, tmp_path: Path) -> None:
+    inner = mkdir(mkdir(tmp_path / "pack") / "inner")
+    for folder in (inner, inner.parent):
+        (folder / "__init__.py").touch()
+    (inner.parent / "parts.py").write_text(MODULE)
+    (inner / "own.py").write_text("from ..parts import guess as near\n")
+
+    assert run("./pack/inner/own.py:near")[0] == 0
+
+    assert results("near")["places"] == {"near": "pack.inner.own:near"}
+
+
+def test_every_run_begins_in_the_same_folder(run: Run, tmp_path: Path) -> None:
+    code, *_ = run("mine:wanders", "--runs", "3", "--no-centre-bias")
+
+    assert code == 0
+    assert len(list(tmp_path.glob("20-*"))) == 3
+
+
 @pytest.mark.parametrize(
     ("place", "says"),
     [
@@ -242,18 +270,21 @@ def test_code_that_cannot_be_kept_is_said_once(run: Run, monkeypatch: pytest.Mon
     assert err.count("repro: compiled code cannot be kept") == 1
 
 
-def test_termination_is_told_by_143(tmp_path: Path) -> None:
+@pytest.mark.parametrize(("sent", "code"), [(signal.SIGTERM, 143), (signal.SIGINT, 130)])
+def test_what_ends_it_is_told_by_its_exit_code(
+    tmp_path: Path, sent: signal.Signals, code: int
+) -> None:
     (tmp_path / "mine.py").write_text(MODULE)
     process = subprocess.Popen(
-        (sys.executable, "-m", "repro", "compare", "mine:never", "liang2026", "--runs", "1"),
+        (sys.executable, "-c", PROGRAM, "compare", "mine:never", "liang2026", "--runs", "1"),
         cwd=tmp_path, stderr=subprocess.PIPE, text=True,
         env={**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])},
     )  # fmt: skip
     while not (tmp_path / ".repro" / "runs.sqlite").exists():
         time.sleep(0.05)
     time.sleep(0.5)
-    process.send_signal(signal.SIGTERM)
+    process.send_signal(sent)
 
     _, err = process.communicate(timeout=60)
-    assert process.returncode == 143
+    assert process.returncode == code
     assert "Traceback" not in err

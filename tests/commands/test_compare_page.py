@@ -15,6 +15,7 @@ from repro.functions import FUNCTIONS
 from repro.optimisers import WOA
 from tests.determinism.edited_packages import forget
 from tests.small_papers import EXPERIMENT, PAPER, let_be_known
+from tests.small_stores import change
 
 MODULE = """
 import numpy as np
@@ -115,6 +116,21 @@ def test_others_of_the_store_stand_beside_with_as_many_runs(run: Run) -> None:
     assert {row["runs"] for row in rows} == {2}
     shown = {row["algorithm"] for row in results("fair")["standings"]}
     assert shown == {"fair", "WOA"}
+
+
+def test_runs_of_what_is_not_asked_for_are_not_read(run: Run) -> None:
+    run("reproduce", "--repeats", "2")
+    change(
+        Path(".repro"),
+        "update run set cost = cost + 1 "
+        "where problem = 'bowl' or algorithm = 'wide' or experiment like '%shift%'",
+    )
+
+    narrow = ("--problem", "F1", "--algorithm", "WOA", "--no-centre-bias")
+    code, *_ = run("compare", "mine:guess", "--name", "fair", *narrow)
+
+    assert code == 0
+    assert {row["algorithm"] for row in results("fair")["standings"]} == {"fair", "WOA"}
 
 
 def test_figures_stand_on_the_page_and_as_files_beside_it(run: Run) -> None:

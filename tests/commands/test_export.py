@@ -171,6 +171,7 @@ def test_table_is_one_that_latex_sets(place: Path) -> None:
             "nothing to export in none nor",
         ),
         (["nobody2020"], "unknown paper 'nobody2020'"),
+        (["--to", __file__], f"the folder {__file__} cannot be used: File exists"),
     ],
 )
 def test_what_cannot_be_exported_is_one_line(

@@ -173,6 +173,13 @@ def test_a_damaged_row_is_an_error_and_no_number(tmp_path: Path) -> None:
         repro.load(tmp_path).runs(PAPER.key)
 
 
+def test_reports_of_another_schema_are_told_from_none(tmp_path: Path) -> None:
+    (tmp_path / "results.json").write_text('{"schema": 1, "papers": []}')
+
+    with pytest.raises(InputError, match=r"results\.json is of schema 1, and this version"):
+        repro.load(tmp_path)
+
+
 def test_reports_of_another_master_seed_give_its_seeds(place: Path, tmp_path: Path) -> None:
     results = json.loads((place / "reports" / "results.json").read_text())
     results["papers"][0]["provenance"]["master_seed"] = "another"
@@ -237,7 +244,7 @@ def test_runs_of_earlier_code_are_told_from_none(tmp_path: Path) -> None:
 
     with pytest.raises(
         InputError,
-        match=rf"no run of small2020 as it stands, and {len(RECORDS)} of other papers or of earlier"
-        r" code: `repro reproduce small2020 --store .*` makes them",
+        match=rf"no run of small2020 as it stands, and {len(RECORDS)} of other papers, of compared"
+        r" searches or of earlier code: `repro reproduce small2020 --store .*` makes them",
     ):
         results.runs(PAPER.key)

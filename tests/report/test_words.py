@@ -156,6 +156,7 @@ def test_text_in_a_markdown_cell_opens_nothing(text: str) -> None:
     safe = markdown_cell(text)
 
     assert not re.search(r"(?<!\\)\||<|\]\(|\n", safe)
+    assert "&amp;" not in raised(safe)
 
 
 @pytest.mark.parametrize("seed", ["", "2", "two words", "'; rm -r ~"])

@@ -1,7 +1,7 @@
 """Setting aside what is damaged in a store: never trusted again, never deleted."""
 
 import sqlite3
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import closing, suppress
 from itertools import count, islice
 from pathlib import Path
@@ -14,22 +14,14 @@ SIDE_FOLDER = "set-aside"
 _AT_ONCE = 1000  # rows that one transaction takes over
 
 
-def row_query(database: sqlite3.Connection, where: str = "run.id = ?") -> str:
+def row_query(database: sqlite3.Connection) -> str:
     """Return the query of one row by its id; a store of schema 1 has no column `packed`."""
     columns = database.execute("pragma table_info(curve)").fetchall()
     packed = "packed" if any(column[1] == "packed" for column in columns) else "0"
     return (
         f"select {COLUMNS}, sha, json, y, {packed} "  # noqa: S608
-        f"from run left join curve using (id) left join env on env.id = run.env where {where}"
+        f"from run left join curve using (id) left join env on env.id = run.env where run.id = ?"
     )
-
-
-def rows_of(database: sqlite3.Connection, keys: Sequence[str]) -> dict[str, Row]:
-    """Return by key the rows that the index has under some keys, whole or not."""
-    # by id, so that the key that is read is the row's own and not the index's
-    asked = f"select id from run where key in ({', '.join('?' * len(keys))})"  # noqa: S608
-    query = row_query(database, f"run.id in ({asked})")
-    return {str(row[0]): row for row in database.execute(query, keys)}
 
 
 def index_hides_a_row(database: sqlite3.Connection) -> bool:

@@ -2,6 +2,7 @@
 
 import sqlite3
 from collections.abc import Sequence
+from typing import Any
 
 HELD = 1_000_000  # runs of a store above which their keys are looked up and not held
 AT_ONCE = 500  # keys of one question: not every SQLite takes more than 999
@@ -29,6 +30,14 @@ def finished_of(database: sqlite3.Connection, keys: Sequence[str]) -> frozenset[
     marks = ", ".join("?" * len(keys))
     query = f"select key from run where key in ({marks}) and reason is null"  # noqa: S608
     return frozenset(key for (key,) in database.execute(query, keys))
+
+
+def numbers_of(database: sqlite3.Connection, keys: Sequence[str]) -> dict[str, Any]:
+    """Return by key the ids that the index has under some keys, be it damaged or not."""
+    # of the index alone: a row is then read by its id, and a key that is damaged in it is seen
+    marks = ", ".join("?" * len(keys))
+    query = f"select key, id from run indexed by sqlite_autoindex_run_1 where key in ({marks})"  # noqa: S608
+    return dict(database.execute(query, keys).fetchall())
 
 
 def seconds_by_kind(database: sqlite3.Connection) -> dict[Kind, float]:

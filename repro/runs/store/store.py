@@ -17,14 +17,20 @@ from repro.runs.store.damage import (
     damaged_rows,
     index_hides_a_row,
     row_query,
-    rows_of,
     set_file_aside,
     take_over,
     whole_rows,
 )
 from repro.runs.store.file import UNREADABLE, open_to_read, open_to_write, refusing
 from repro.runs.store.lock import lock, lock_to_read
-from repro.runs.store.questions import AT_ONCE, Kind, finished_of, held_keys, seconds_by_kind
+from repro.runs.store.questions import (
+    AT_ONCE,
+    Kind,
+    finished_of,
+    held_keys,
+    numbers_of,
+    seconds_by_kind,
+)
 from repro.runs.store.questions import finished_keys as finished_keys_of
 from repro.runs.store.row import record_of, write
 from repro.runs.store.settled import NAME, is_settled
@@ -156,9 +162,7 @@ class Store:
     def _number(self, task: Task) -> Any:  # noqa: ANN401 (what a damaged index holds)
         """Return the id that the index has for a task; None where it has none."""
         with self._refusing():
-            query = "select id from run indexed by sqlite_autoindex_run_1 where key = ?"
-            found = self._database.execute(query, (task.key,)).fetchone()
-        return found[0] if found else None
+            return numbers_of(self._database, [task.key]).get(task.key)
 
     def _refuse_hidden(self) -> None:
         """Raise DamageError where the index hides a row; looked at once."""
@@ -237,11 +241,10 @@ class Store:
         left = iter(tasks)
         while some := list(islice(left, AT_ONCE)):
             with self._refusing():
-                rows = rows_of(self._database, [task.key for task in some])
+                numbers = numbers_of(self._database, [task.key for task in some])
             for task in some:
-                if record := record_of(task, rows.get(task.key)):
-                    yield record
-                elif (number := self._number(task)) is not None:
+                number = numbers.get(task.key)
+                if number is not None:  # read one by one: curves of a whole question are long
                     yield self._record(task, number)
                 else:
                     self._refuse_hidden()

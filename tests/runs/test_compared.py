@@ -1,0 +1,27 @@
+import pytest
+
+from repro.commands.catalogue import all_papers
+from repro.optimisers.random_search import RandomSearch
+from repro.runs.compared import beside, narrowed
+from repro.runs.plan import plan
+
+WITH_RUNS = [key for key, paper in all_papers().items() if paper.experiments]
+
+
+@pytest.mark.parametrize("key", WITH_RUNS)
+def test_a_paper_is_narrowed_to_each_of_its_problems(key: str) -> None:
+    paper = all_papers()[key]
+    places = [(e.name, problem) for e in paper.experiments for problem in e.problems]
+    keys = {task.key for task in plan([paper], 2)}
+
+    for experiment, problem in places:
+        own = narrowed(
+            paper, {"own": RandomSearch()}, experiments=[experiment], problems=[problem], runs=2
+        )
+
+        assert [(t.experiment, t.problem) for t in plan([own], 1, protocol_only=True)] == [
+            (experiment, problem)
+        ] * 2
+        others = plan([beside(paper, own)], 2)
+        assert {task.problem for task in others} == {problem}
+        assert {task.key for task in others} <= keys
