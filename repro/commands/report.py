@@ -12,13 +12,14 @@ from repro.errors import InputError
 from repro.model.paper import Paper
 from repro.report.earlier import check_folder
 from repro.report.files import usable_folder
-from repro.runs.plan import plan
+from repro.runs.plan import check_repeats, plan
 from repro.runs.store.store import Store
 
 
 def run(options: Namespace) -> int:
     """Write the pages; InputError where there is no store."""
     chosen = catalogue.chosen(options)
+    check_repeats(options.repeats)
     known = catalogue.order(chosen)
     check_folder(options.reports, [paper.key for paper in chosen], known)
     with Store(options.store, writing=False) as store:

@@ -102,8 +102,7 @@ def _run(
 
 
 def _say_provisional(reports: Path, of: str) -> None:
-    sys.stdout.write(f"provisional pages, {of}: {reports / 'index.html'}\n")
-    sys.stdout.flush()
+    warn(f"provisional pages, {of}: {reports / 'index.html'}")
 
 
 def _looked_at(options: Namespace, keys: Sequence[str], known: Sequence[str]) -> dict[str, Path]:

@@ -139,9 +139,7 @@ def planned(
 
     More than `HELD` runs are not held, but made again in each pass over them.
     """
-    if repeats < 1:
-        message = f"repeats is {repeats}; it must be 1 or more"
-        raise InputError(message)
+    check_repeats(repeats)
     memory: Memory = {}
     declared = tuple(papers)
     protocols = [
@@ -237,3 +235,10 @@ def _once(memory: Memory, place: str, value: object) -> Told:
 
 def _digest(*parts: object) -> str:
     return hashlib.sha256("\0".join(map(str, parts)).encode()).hexdigest()
+
+
+def check_repeats(repeats: int) -> None:
+    """Raise InputError where a number of repeats is none."""
+    if repeats < 1:
+        message = f"repeats is {repeats}; it must be 1 or more"
+        raise InputError(message)

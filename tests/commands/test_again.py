@@ -36,7 +36,7 @@ def test_the_number_comes_out_as_the_page_shows_it(tmp_path: Path) -> None:
     assert found.value == values["F1 Mean"]
     assert found.runs == TEST.runs
     assert "re-run    477.30 (mean cost of WOA on F1; first repeat, 4 runs)" in found.text
-    assert "<br>477.30<br>" in pages["doe2021.md"]
+    assert "<br>477.30, " in pages["doe2021.md"]
 
 
 def test_the_text_says_where_the_number_stands_and_what_is_accepted() -> None:

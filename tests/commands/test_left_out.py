@@ -42,7 +42,7 @@ def test_a_paper_whose_proposed_algorithm_is_left_out_claims_nothing_about_anoth
         LEFT.what
     }
     assert not [test for test in entry["tests"] if test["test"] != "Friedman"]
-    for page in (f"reports/{PAPER.key}.html", f"reports/{PAPER.key}.md"):
+    for page in (f"reports/{PAPER.key}.statistics.html", f"reports/{PAPER.key}.md"):
         text = Path(page).read_text(encoding="utf-8")
         assert "compared with nothing: owl (its equations are not printed)." in text
         assert "owl against the others" not in text

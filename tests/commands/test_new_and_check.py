@@ -31,7 +31,7 @@ def test_what_new_writes_runs_as_it_stands(run: Run) -> None:
     assert run("new", "roe2030")[0] == 0
 
     assert run("reproduce", "./roe2030.py", "--repeats", "1")[0] == 0
-    for page in ("roe2030.html", "roe2030.md", "index.html", "index.md"):
+    for page in ("roe2030.data.html", "roe2030.md", "index.html", "index.md"):
         text = Path("reports", page).read_text(encoding="utf-8")
         assert ("repro reproduce ./roe2030.py" in text, "nox -s" in text) == (True, False)
     assert run("audit", "./roe2030.py")[:2] == (

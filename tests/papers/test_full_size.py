@@ -85,7 +85,9 @@ def test_what_may_differ_between_equal_runs_stands_in_one_file(once: Path, tmp_p
     again = ["--store", str(tmp_path), "--reports", str(tmp_path / "reports")]
     assert main(["reproduce", "syji", "--repeats", "1", *again]) == 0
     first, second = pages(once / "reports"), pages(tmp_path / "reports")
-    whole = {"index.html", "index.md", "verdicts.md", "results.json"}  # of more papers than one
+    # of more papers than one
+    whole = {"index.html", "index.md", "verdicts.md", "finding.md", "results.json"}
+    whole.add("figures/at-a-glance.svg")
     names = second.keys() - whole
     assert {name for name in names if first[name] != second[name]} <= {"provenance.json"}
 

