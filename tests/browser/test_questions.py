@@ -108,7 +108,7 @@ def test_how_to_run_one_number_again(reader: Reader) -> None:
 
 def test_which_assumptions_would_change_the_verdict(reader: Reader) -> None:
     reader.follow(LIANG)
-    reader.follow("reading of the text or a setting")
+    reader.follow("Readings and assumptions", within="#contents")
 
     changed = reader.page.locator(".depending").first
     assert re.search(r"\d+ numbers? of Table \w+ would change", reader.sees(changed))
@@ -118,7 +118,7 @@ def test_which_assumptions_would_change_the_verdict(reader: Reader) -> None:
 
 def test_where_the_raw_runs_are(reader: Reader) -> None:
     reader.follow(LIANG)
-    reader.follow("Run it again, and data")
+    reader.follow("Run it again, and data", within="#contents")
 
     assert reader.sees(reader.page.get_by_role("link", name=re.compile("liang2026.csv.gz")).first)
 
