@@ -1,4 +1,4 @@
-"""Writing the reports folder: pages, figures, tables and results.json."""
+"""The files of a paper's reports, and those of all papers together: pages, figures, tables."""
 
 import shlex
 from collections.abc import Mapping, Sequence
@@ -28,12 +28,7 @@ from repro.report.results import (
     provenance_entry,
     verdict_counts,
 )
-from repro.report.rooms import (
-    Room,
-    neighbours,
-    page_of,
-    rooms_with,
-)
+from repro.report.rooms import Room, neighbours, page_of, rooms_with
 from repro.report.run_files import packed_runs, place_of_runs
 from repro.report.verdict_pages import VERDICTS, verdict_context
 from repro.report.views.baselines import standings_view
