@@ -13,13 +13,12 @@ from repro.judge.proved_times import printed_times
 from repro.judge.rank_tests import AlgorithmTests
 from repro.model.evidence import Evidence
 from repro.model.experiment import Experiment
+from repro.model.measures import ranks as rank_tests
 from repro.model.measures.measure import Rank, Reduction, Statistic
 from repro.model.tolerances import Interval
 from repro.statistics.places import place
 from repro.statistics.summary import mean
 from repro.statistics.tables import quantile_interval
-
-SURE = 0.05
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -131,7 +130,7 @@ def _firsts(tests: AlgorithmTests, evidence: Evidence, printed: Evidence) -> Fir
     experiment = tests.experiment
     found = _first_by_repeat(experiment, evidence)
     ranks = [_printed_rank(experiment, problem, printed) for problem in experiment.problems]
-    sure = [test for test in tests.tests if test.holm < SURE]
+    sure = [test for test in tests.tests if test.holm < rank_tests.LEVEL]
     return FirstPlaces(
         experiment=experiment.name,
         proposed=experiment.proposed,

@@ -1,5 +1,6 @@
 """The reports folder that the browser looks at: every paper, by a protocol of a few runs."""
 
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
@@ -11,9 +12,10 @@ from repro.model.claims import lowest_everywhere
 from repro.model.experiment import Experiment
 from repro.model.paper import Paper
 from repro.model.tolerances import Percent
-from repro.runs.plan import plan
+from repro.runs.plan import Task, plan
 from repro.runs.session import run_missing
 from repro.runs.store.store import Store
+from repro.runs.studies import ENOUGH
 from tests.doe2021 import COSTS, MOTION, TEST
 from tests.doe2021 import PAPER as DOE
 from tests.made_up import ENVIRONMENT
@@ -70,8 +72,22 @@ def make_pages(folder: Path) -> Path:
     """
     first, *others = map(small, all_papers().values())
     invented = (DOE, hostile())
-    papers = (first, *others, *invented)
     tasks = (*plan([first], 2), *plan(others, 1), *plan(invented, 2))
+    return _written(folder, (first, *others, *invented), tasks)
+
+
+def make_asked_pages(folder: Path) -> Path:
+    """Write the pages of which readers' questions are asked; return the reports folder.
+
+    liang2026 has a small protocol, as often as baselines wait for; of smwoa2022, as it is printed,
+    nothing is run: what the audit says of it follows from the printed number of runs.
+    """
+    papers = all_papers()
+    run = small(papers["liang2026"])
+    return _written(folder, (run, papers["smwoa2022"]), plan([run], ENOUGH))
+
+
+def _written(folder: Path, papers: Sequence[Paper], tasks: Sequence[Task]) -> Path:
     with Store(folder / "store") as store, ThreadPoolExecutor(2) as executor:
         run_missing(
             store,

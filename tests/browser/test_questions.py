@@ -3,11 +3,14 @@
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
 
 from tests.browser.conftest import Open
+from tests.browser.made_pages import make_asked_pages
+from tests.made_once import made_once
 
 if TYPE_CHECKING:
     from playwright.sync_api import Locator, Page
@@ -56,6 +59,12 @@ class Reader:
         size = self.page.viewport_size
         assert size is not None
         return {"width": size["width"], "height": size["height"]}
+
+
+@pytest.fixture(scope="session")
+def reports(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return the folder of pages that are asked, which no test changes."""
+    return made_once(tmp_path_factory, "asked", make_asked_pages) / "reports"
 
 
 @pytest.fixture(params=[WIDE, PHONE])

@@ -5,6 +5,7 @@ from collections.abc import Iterable, Sequence
 
 from repro.judge.certificates import Certificate
 from repro.judge.findings import IN_WORDS, Finding
+from repro.judge.proved_times import TOTAL
 from repro.model.claims import Claim
 from repro.model.measures.measure import Statistic
 from repro.tables.published import UNITS, Printed
@@ -26,7 +27,7 @@ def least_values(
 
 def _least(claim: Claim, proved: dict[str, float | None]) -> float | None:
     measure = claim.measure
-    if not isinstance(measure, Statistic) or measure.quantity != "total":
+    if not isinstance(measure, Statistic) or measure.quantity != TOTAL:
         return None
     minimum = proved.get(f"{measure.experiment}/{measure.problem}")
     if minimum is None or measure.statistic not in OF_RUNS:
