@@ -1,12 +1,13 @@
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 from repro.__main__ import main
+from tests.commands.own_searches import Run, standing_in
 from tests.determinism.edited_packages import forget
-from tests.small_papers import PAPER, let_be_known
+from tests.small_papers import PAPER
 
 MODULE = """
 def centre(cost, bounds, budget, rng): return bounds.mean(axis=1)
@@ -16,26 +17,19 @@ def sample(cost, bounds, budget, rng):
 def lost(cost, bounds, budget, rng): raise ValueError("no way\\nhome")
 """
 
-Run = Callable[..., tuple[int, str, str]]
-
 
 @pytest.fixture
 def run(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> Iterator[Run]:
     """Yield what runs a command in a folder with a module of searches."""
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(sys, "path", [*sys.path])
-    let_be_known(monkeypatch, PAPER)
-    (tmp_path / "mine.py").write_text(MODULE)
-    forget()
 
     def command(*arguments: str) -> tuple[int, str, str]:
         code = main(arguments)
         return (code, *capsys.readouterr())
 
-    yield command
-    sys.modules.pop("mine", None)
+    with standing_in(tmp_path, monkeypatch, module=MODULE, paper=PAPER):
+        yield command
 
 
 def page(name: str) -> str:

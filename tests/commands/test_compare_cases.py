@@ -1,20 +1,19 @@
 """What searches of other people do, each case once: counted, checked, narrowed, named."""
 
-import json
 import os
 import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 from repro.__main__ import main
+from tests.commands.own_searches import Run, results, standing_in
 from tests.determinism.edited_packages import forget
-from tests.small_papers import PAPER, let_be_known
+from tests.small_papers import PAPER
 
 MODULE = """
 import os, random, time
@@ -75,7 +74,6 @@ import runpy, signal
 signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell may have it ignored
 runpy.run_module("repro", run_name="__main__", alter_sys=True)
 """
-Run = Callable[..., tuple[int, str, str]]
 
 
 @pytest.fixture
@@ -83,28 +81,18 @@ def run(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> Iterator[Run]:
     """Yield what compares searches of a module with a small paper."""
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(sys, "path", [*sys.path])
-    let_be_known(monkeypatch, PAPER)
-    (tmp_path / "mine.py").write_text(MODULE)
-    forget()
 
     def command(*arguments: str) -> tuple[int, str, str]:
         code = main(("compare", *arguments, "--workers", "1", "--quiet"))
         return (code, *capfd.readouterr())
 
-    yield command
-    sys.modules.pop("mine", None)
+    with standing_in(tmp_path, monkeypatch, module=MODULE, paper=PAPER):
+        yield command
 
 
 def mkdir(folder: Path) -> Path:
     folder.mkdir()
     return folder
-
-
-def results(name: str) -> dict[str, Any]:
-    found: dict[str, Any] = json.loads(Path(f"reports-private/{name}.json").read_text())
-    return found
 
 
 def kinds(name: str) -> set[str]:

@@ -1,17 +1,14 @@
 """What a comparison measures of a search: its evaluations, its seconds, its chance to win."""
 
-import json
-import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 from repro.__main__ import main
-from tests.determinism.edited_packages import forget
-from tests.small_papers import EXPERIMENT, PAPER, let_be_known
+from tests.commands.own_searches import Run, results, standing_in
+from tests.small_papers import EXPERIMENT, PAPER
 
 MODULE = """
 import os, time
@@ -47,7 +44,7 @@ def lucky(cost, bounds, budget, rng):
     return x
 """
 DEEPER = replace(EXPERIMENT, population=10, iterations=10, runs=12)
-Run = Callable[..., tuple[int, str, str]]
+SHORT = replace(PAPER, experiments=(DEEPER,), results=(), claims=())
 
 
 @pytest.fixture
@@ -55,23 +52,13 @@ def run(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> Iterator[Run]:
     """Yield what compares searches of a module with a small paper of 100 evaluations a run."""
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(sys, "path", [*sys.path])
-    let_be_known(monkeypatch, replace(PAPER, experiments=(DEEPER,), results=(), claims=()))
-    (tmp_path / "mine.py").write_text(MODULE)
-    forget()
 
     def command(*arguments: str) -> tuple[int, str, str]:
         code = main(("compare", *arguments, "--workers", "1", "--quiet"))
         return (code, *capfd.readouterr())
 
-    yield command
-    sys.modules.pop("mine", None)
-
-
-def results(name: str) -> dict[str, Any]:
-    found: dict[str, Any] = json.loads(Path(f"reports-private/{name}.json").read_text())
-    return found
+    with standing_in(tmp_path, monkeypatch, module=MODULE, paper=SHORT):
+        yield command
 
 
 def test_a_point_that_was_asked_for_and_returned_is_counted_once(run: Run) -> None:

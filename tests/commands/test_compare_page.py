@@ -1,20 +1,17 @@
 """What a comparison's page, its Markdown and its folder of figures show."""
 
 import csv
-import json
-import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 from repro.__main__ import main
 from repro.functions import FUNCTIONS
 from repro.optimisers import WOA
-from tests.determinism.edited_packages import forget
-from tests.small_papers import EXPERIMENT, PAPER, let_be_known
+from tests.commands.own_searches import Run, results, standing_in
+from tests.small_papers import EXPERIMENT, PAPER
 from tests.small_stores import change
 
 MODULE = """
@@ -37,7 +34,6 @@ SPHERES = replace(
     runs=3,
 )  # fmt: skip
 CENTRED = replace(PAPER, experiments=(SPHERES,), results=(), claims=())
-Run = Callable[..., tuple[int, str, str]]
 
 
 @pytest.fixture
@@ -45,24 +41,14 @@ def run(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> Iterator[Run]:
     """Yield what runs a command in a folder with a module of searches."""
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(sys, "path", [*sys.path])
-    let_be_known(monkeypatch, CENTRED)
-    (tmp_path / "mine.py").write_text(MODULE)
-    forget()
 
     def command(*arguments: str) -> tuple[int, str, str]:
         alone = () if arguments[0] in ("verify", "again") else ("--workers", "1")
         code = main((*arguments, *alone))
         return (code, *capfd.readouterr())
 
-    yield command
-    sys.modules.pop("mine", None)
-
-
-def results(name: str) -> dict[str, Any]:
-    found: dict[str, Any] = json.loads(Path(f"reports-private/{name}.json").read_text())
-    return found
+    with standing_in(tmp_path, monkeypatch, module=MODULE, paper=CENTRED):
+        yield command
 
 
 def test_search_drawn_to_the_centre_is_told_from_one_that_is_not(run: Run) -> None:
