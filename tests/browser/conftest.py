@@ -4,12 +4,14 @@ import importlib
 import os
 import shutil
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
 import pytest
 
+from repro.commands.catalogue import all_papers
 from tests.browser.made_pages import make_pages
 from tests.made_once import made_once
 
@@ -21,6 +23,11 @@ QUIET = (
     *("--disable-component-update", "--disable-sync"),
 )
 KNOWN = ("chromium", "chromium-browser", "google-chrome")
+PAPERS = (*all_papers(), "doe2021")
+DRAWN = (*PAPERS, "how-verdicts-are-made")
+PAGES = (*DRAWN, "index")
+"""Each stands for all pages whose names begin with it: of a paper the door and its rooms."""
+PHONE = 360  # px
 OWN = ("file:", "data:", "about:")
 
 
@@ -34,6 +41,7 @@ class Visit:
 
 
 Open = Callable[..., Visit]
+Rooms = dict[str, Visit]
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
@@ -90,8 +98,8 @@ def reports(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return made_once(tmp_path_factory, "browsed", make_pages) / "reports"
 
 
-@pytest.fixture
-def visit(chromium: "Browser", reports: Path) -> Iterator[Open]:
+@contextmanager
+def opening(chromium: "Browser", reports: Path) -> Iterator[Open]:
     """Yield what opens a page by its address in the folder; options are a browser context's."""
     contexts = []
 
@@ -108,3 +116,38 @@ def visit(chromium: "Browser", reports: Path) -> Iterator[Open]:
     yield opened
     for context in contexts:
         context.close()
+
+
+@pytest.fixture
+def visit(chromium: "Browser", reports: Path) -> Iterator[Open]:
+    """Yield what opens a page for one test."""
+    with opening(chromium, reports) as opened:
+        yield opened
+
+
+def names(reports: Path, page: str) -> list[str]:
+    """Return the names of a paper's pages, or of the one page."""
+    return [f"{page}.html", *sorted(path.name for path in reports.glob(f"{page}.*.html"))]
+
+
+def opened_in(
+    chromium: "Browser", reports: Path, page: str, width: int, **options: object
+) -> Iterator[Rooms]:
+    with opening(chromium, reports) as opened:
+        yield {name: opened(name, width=width, **options) for name in names(reports, page)}
+
+
+# of the module, so that pytest runs together what looks at the same view
+@pytest.fixture(scope="module", params=PAGES)
+def light(request: pytest.FixtureRequest, chromium: "Browser", reports: Path) -> Iterator[Rooms]:
+    yield from opened_in(chromium, reports, request.param, 1280)
+
+
+@pytest.fixture(scope="module", params=PAGES)
+def dark(request: pytest.FixtureRequest, chromium: "Browser", reports: Path) -> Iterator[Rooms]:
+    yield from opened_in(chromium, reports, request.param, 1280, color_scheme="dark")
+
+
+@pytest.fixture(scope="module", params=PAGES)
+def phone(request: pytest.FixtureRequest, chromium: "Browser", reports: Path) -> Iterator[Rooms]:
+    yield from opened_in(chromium, reports, request.param, PHONE)
