@@ -5,12 +5,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
-from scipy.stats import bootstrap
+from scipy.stats import bootstrap, mannwhitneyu
 
 from repro.errors import InputError
 from repro.statistics.effect_size import win_interval, win_probability
 from repro.statistics.friedman import critical_difference, friedman, not_told_apart
-from repro.statistics.rank_sum import rank_sum_p
+from repro.statistics.rank_sum import rank_sum_p, rank_sums
 from repro.statistics.signed_rank import signed_rank_p
 
 Vector = NDArray[np.float64]
@@ -202,3 +202,17 @@ def test_two_algorithms_share_a_group_where_they_are_near(
             together = any({a, b} <= set(group) for group in groups)
             low, high = sorted((ranks[a], ranks[b]))
             assert together == (high - low < difference)
+
+
+@pytest.mark.parametrize("ends", [(0.0, 1.0), (-np.inf, np.inf)])
+def test_rank_sums_of_rows_are_those_of_scipy_to_the_last_bit(ends: tuple[float, float]) -> None:
+    rng = np.random.default_rng(7)
+    for n, m, kinds in ((1, 1, 2), (3, 40, 5), (30, 30, 4), (60, 45, 90)):
+        values = np.append(rng.lognormal(0.0, 3.0, kinds), ends)
+        x, y = rng.choice(values, (50, n)), rng.choice(values, (50, m))
+        x[0], y[0] = 1.0, 1.0
+        with np.errstate(invalid="ignore", divide="ignore"):
+            expected = mannwhitneyu(x, y, method="asymptotic", axis=-1)
+        p, lower = rank_sums(x, y)
+        assert p.tolist() == np.where(np.isnan(expected.pvalue), 1.0, expected.pvalue).tolist()
+        assert lower.tolist() == (expected.statistic < 0.5 * n * m).tolist()

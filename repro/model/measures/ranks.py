@@ -16,6 +16,7 @@ from repro.model.measures.measure import Measured, Statistic
 from repro.model.measures.to_come import tables_to_come
 from repro.statistics.pairs import paired_p
 from repro.statistics.places import Ties
+from repro.statistics.rank_sum import rank_sums
 from repro.tables.relations import RankTest
 
 Vector = NDArray[np.float64]
@@ -221,7 +222,7 @@ class RankSum:
     def test(self, evidence: Evidence) -> tuple[Vector, NDArray[np.bool_]]:
         """Return p in the first repeat and in tables to come, and whether costs rank lower."""
         own, others = (self._tables(evidence, name) for name in (self.algorithm, self.against))
-        tested = _signed_rank if self.by == "signed-rank" else _rank_sum
+        tested = _signed_rank if self.by == "signed-rank" else rank_sums
         p, lower = tested(self._sample(own), self._sample(others))
         if self.samples == "each problem":
             p = np.mean([tested(x, y)[0] for x, y in zip(own, others, strict=True)], axis=0)
@@ -248,17 +249,6 @@ class RankSum:
 def _measured(values: Vector, repeats: int) -> Measured:
     """Return what was measured: the first value belongs to the first repeat."""
     return Measured(value=float(values[0]), draws=values[1:], repeats=repeats)
-
-
-def _rank_sum(x: Vector, y: Vector) -> tuple[Vector, NDArray[np.bool_]]:
-    """Return two-sided p-values, row by row, and whether x ranks lower than y."""
-    from scipy.stats import mannwhitneyu  # noqa: PLC0415 (slow to load)
-
-    with np.errstate(invalid="ignore", divide="ignore"):
-        found = mannwhitneyu(x, y, method="asymptotic", axis=-1)
-    # two samples of one and the same value are not different
-    p = np.where(np.isnan(found.pvalue), 1.0, found.pvalue)
-    return p, found.statistic < 0.5 * x.shape[1] * y.shape[1]
 
 
 def _signed_rank(x: Vector, y: Vector) -> tuple[Vector, NDArray[np.bool_]]:
