@@ -1,44 +1,58 @@
-"""Calls side by side, each in a copy of this process: what they find comes back as bytes."""
+"""Calls side by side, in copies of this process: what they find comes back as bytes."""
 
 import multiprocessing
 import signal
 import sys
 import threading
 import warnings
+from collections import deque
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
 
 Call = Callable[[], bytes]
+_NO_MORE = -1
 
 
 def side_by_side(calls: Sequence[Call], workers: int) -> list[bytes | None]:
     """Return what each call returns, in their order; so many are at work at once.
 
-    The first are begun first. It is None for a call that failed or whose process died, and for all
-    where no copy can be made, or one would be of no use: whoever asks makes those calls itself,
-    and has their errors.
+    The first are begun first. A copy makes one call after another, so that what several load or
+    work out is found once in each. It is None for a call that failed or whose process died, and
+    for all where no copy can be made, or one would be of no use: whoever asks makes those calls
+    itself, and has their errors.
     """
     found: list[bytes | None] = [None] * len(calls)
     if workers < 2 or len(calls) < 2 or not _can_be_copied():
         return found
+    left = deque(range(len(calls)))
     running: dict[Connection, tuple[int, BaseProcess]] = {}
-    begun = 0
     try:
-        while running or begun < len(calls):
-            while len(running) < workers and begun < len(calls):
-                connection, process = _copy(calls[begun])
-                running[connection] = begun, process
-                begun += 1
+        while running or left:
+            while len(running) < workers and left:
+                connection, process = _copy(calls)
+                running[connection] = _begun(connection, left), process
             for connection in [each for each in running if each in wait(list(running))]:
                 number, process = running.pop(connection)
                 found[number] = _received(connection)
-                process.join()
+                if found[number] is not None and left:
+                    running[connection] = _begun(connection, left), process
+                else:
+                    _end(connection)
+                    process.join()
     finally:
         for _, process in running.values():
             process.kill()
     return found
+
+
+def _begun(connection: Connection, left: deque[int]) -> int:
+    """Have a copy make the next call, and return its number."""
+    number = left.popleft()
+    with suppress(OSError):  # of a copy that is dead: nothing will be received of it
+        connection.send(number)
+    return number
 
 
 def _can_be_copied() -> bool:
@@ -47,10 +61,10 @@ def _can_be_copied() -> bool:
     return known and threading.active_count() == 1
 
 
-def _copy(call: Call) -> tuple[Connection, BaseProcess]:
+def _copy(calls: Sequence[Call]) -> tuple[Connection, BaseProcess]:
     context = multiprocessing.get_context("fork")
-    ours, theirs = context.Pipe(duplex=False)
-    process = context.Process(target=_answer, args=(call, theirs), daemon=True)
+    ours, theirs = context.Pipe()
+    process = context.Process(target=_answer, args=(calls, theirs), daemon=True)
     with theirs, warnings.catch_warnings():
         # of threads of libraries, which hold no lock of ours
         warnings.simplefilter("ignore", DeprecationWarning)
@@ -58,15 +72,22 @@ def _copy(call: Call) -> tuple[Connection, BaseProcess]:
     return ours, process
 
 
-def _answer(call: Call, connection: Connection) -> None:
-    """Send what a call returns, and nothing where it raises."""
+def _end(connection: Connection) -> None:
+    """Have a copy end, if it has not; later copies have this end of the pipe, too."""
+    with connection, suppress(OSError):
+        connection.send(_NO_MORE)
+
+
+def _answer(calls: Sequence[Call], connection: Connection) -> None:
+    """Send what each call returns that is asked for, and nothing more once one raises."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the first process
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     with suppress(BaseException):
-        connection.send_bytes(call())
+        while (number := connection.recv()) != _NO_MORE:
+            connection.send_bytes(calls[number]())
 
 
 def _received(connection: Connection) -> bytes | None:
-    with connection, suppress(EOFError, OSError):
+    with suppress(EOFError, OSError):
         return connection.recv_bytes()
     return None
