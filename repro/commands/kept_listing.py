@@ -1,7 +1,8 @@
 """A listing of this house's papers kept beside the runs, told without loading the papers.
 
-It is kept by a digest of all that it follows from: the engine's and the papers' files, the
-installed packages, what is asked for, the file of the runs and the note of what they were made of.
+It is kept by a digest of all that it follows from: the papers' files and the engine's but those of
+the rooms that judge and write, the installed packages, what is asked for, the file of the runs and
+the note of what they were made of.
 """
 
 import hashlib
@@ -24,6 +25,8 @@ from repro.runs.store.settled import settled_digest
 FOLDER = "kept"
 GROUP = "repro.papers"
 MADE_OF = "made-of.json"
+OTHER_ROOMS = ("audit", "judge", "report")
+"""Rooms that decide no run and so no listing."""
 Rows = list[dict[str, Any]]
 _KEY = re.compile(r"\w+")  # anything else may be a path
 
@@ -63,7 +66,7 @@ def _name(store: Path, keys: Sequence[str], repeats: int) -> str:
     for text in installed():
         digest.update(f"{text}\0".encode())
     for folder in (*repro.__path__, *(papers.submodule_search_locations or ())):
-        digest.update(tree(Path(folder)))
+        digest.update(tree(Path(folder), without=OTHER_ROOMS))
     digest.update(_note(store))
     return digest.hexdigest()
 

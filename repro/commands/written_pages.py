@@ -7,8 +7,16 @@ from functools import partial
 from pathlib import Path
 from types import MappingProxyType
 
+from repro.commands.kept_evidence import Source, gathered
 from repro.commands.kept_listing import FOLDER
-from repro.commands.kept_pages import Request, extent_of, names_of, packed, unpacked
+from repro.commands.kept_pages import (
+    Request,
+    extent_of,
+    names_of,
+    packed,
+    unpacked,
+    with_rows,
+)
 from repro.commands.shown_rows import warn
 from repro.judge.judgement import Judgement, judge
 from repro.model.evidence import Cell, Runs
@@ -18,7 +26,7 @@ from repro.report.kept import find, keep
 from repro.report.pages import made_of
 from repro.report.results import Json, Made
 from repro.report.writing import write_report
-from repro.runs.gather import cell_of, gather
+from repro.runs.gather import cell_of
 from repro.runs.plan import Task, deeper_tasks
 from repro.runs.raw_runs import RawRuns, drawn_as
 from repro.runs.store.store import Store
@@ -87,12 +95,13 @@ def made_pages(
 
     It is the same to the last bit wherever it comes from.
     """
-    names = names_of(store, asked, places, known)
+    asked = with_rows(store, asked)
+    names = names_of(asked, places, known)
     found = {key: find(store.folder / FOLDER, name) for key, name in names.items()}
     left = [each for each in asked if found.get(each.paper.key) is None]
     made = dict(_made(store, left, run))
     if run and made:  # runs were made meanwhile, on which the pages rest
-        names = names_of(store, left, places, known)
+        names = names_of(with_rows(store, left), places, known)
     for key in made.keys() & names.keys():
         keep(store.folder / FOLDER, names[key], made[key])
     found |= made
@@ -115,9 +124,12 @@ def _made(store: Store, left: Sequence[Request], run: Run | None) -> Iterator[tu
             if answer and wants and run and (each.paper.key, answer) not in tried:
                 tried.add((each.paper.key, answer))
                 run(_wanted(each, answer))
-                again.append(each)
-            else:  # a copy that failed, or wants what cannot be made, has its say here
-                yield each.paper.key, pages(store, each, run) if wants or not answer else answer
+                again.append(replace(each, rows=""))  # there are more by now
+            elif wants or not answer:  # a copy that failed, or wants what cannot be made
+                here = replace(each, rows="") if run else each
+                yield each.paper.key, pages(store, here, run)
+            else:
+                yield each.paper.key, answer
         left = again
 
 
@@ -148,7 +160,7 @@ def _wanted(asked: Request, answer: bytes) -> Sequence[Task]:
 def pages(store: Store, asked: Request, run: Run | None = None) -> bytes:
     """Return all that is written of a paper, packed."""
     tasks = asked.tasks()
-    judgement = judged(store, asked.paper, tasks, run or _none)
+    judgement = judged(store, asked.paper, tasks, run or _none, asked.rows)
     seed = tasks[0].seed if tasks else ""
     made = made_of(judgement, store.environments(tasks), seed, asked.called)
     missing = len({task.key for task in tasks} - store.finished(asked.paper.key))
@@ -159,16 +171,22 @@ def _none(_: Sequence[Task]) -> None:
     """Make no runs."""
 
 
-def judged(store: Store, paper: Paper, tasks: Sequence[Task], run: Run = _none) -> Judgement:
-    """Return the judgement of one paper; `tasks` are its own."""
+def judged(
+    store: Store, paper: Paper, tasks: Sequence[Task], run: Run = _none, rows: str = ""
+) -> Judgement:
+    """Return the judgement of one paper; `tasks` are its own.
+
+    `rows` is a digest of what the store has of the paper, by which what is read of it is kept.
+    """
     others = studies(paper, max((task.repeat for task in tasks), default=1))
     seed = tasks[0].seed if tasks else ""
     raw = RawRuns(others)
+    source = Source(store=store, paper=paper, besides=others, rows=rows)
 
     def fetch(depths: Mapping[Cell, int]) -> Mapping[Cell, Runs]:
         more = deeper_tasks(paper, others, depths, seed)
         run(more)
-        return gather(store, paper, more, others, raw.note).runs
+        return gathered(source, more, raw).runs
 
-    judgement = judge(paper, gather(store, paper, tasks, others, raw.note), others, fetch)
+    judgement = judge(paper, gathered(source, tasks, raw), others, fetch)
     return replace(judgement, runs=raw.runs(), drawn_as=drawn_as(paper, others))

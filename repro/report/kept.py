@@ -12,7 +12,7 @@ from pathlib import Path
 from repro.errors import InputError
 from repro.report.files import write_file
 
-MOST = 1 << 27
+MOST = 1 << 28
 """Bytes that are kept; what was not used for longest goes first."""
 _ENDING = ".kept"
 

@@ -1,7 +1,7 @@
 """From stored runs to the evidence of one paper."""
 
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
 
 import numpy as np
@@ -27,8 +27,29 @@ def gather(
     Tasks of one cell stand together, so that no more than one cell's records are held at once.
     """
     studies = tuple(besides)
-    others = tuple(study.experiment for study in studies)
-    protocol = {experiment.name: experiment.runs for experiment in (*paper.experiments, *others)}
+    protocol, followed = whole_and_followed(paper, studies)
+    runs: dict[Cell, Runs] = {}
+    own = (task for task in tasks if task.paper == paper.key and task.experiment in protocol)
+    for cell, group in groupby(own, key=cell_of):
+        found = _whole(
+            _noted(store.records(group), note), protocol[cell[0]], follow=cell in followed
+        )
+        if found:
+            runs[cell] = found
+    return evidence_of(paper, studies, runs)
+
+
+def evidence_of(paper: Paper, besides: Iterable[Study], runs: Mapping[Cell, Runs]) -> Evidence:
+    """Return runs of a paper and of what was run besides as evidence."""
+    others = (study.experiment for study in besides)
+    return Evidence(paper.key, (*others, *paper.experiments), runs)
+
+
+def whole_and_followed(
+    paper: Paper, besides: Sequence[Study]
+) -> tuple[Mapping[str, int], frozenset[Cell]]:
+    """Return by experiment how many runs are a whole repeat, and the cells that claims follow."""
+    experiments = (*paper.experiments, *(study.experiment for study in besides))
     followed = {
         cell
         for claim in paper.claims
@@ -38,19 +59,11 @@ def gather(
     # under another reading a claim follows the searches of that reading
     followed |= {
         (study.experiment.name, problem, algorithm)
-        for study in studies
+        for study in besides
         for experiment, problem, algorithm in followed
         if study.kind == "reading" and study.of == experiment
     }
-    runs: dict[Cell, Runs] = {}
-    own = (task for task in tasks if task.paper == paper.key and task.experiment in protocol)
-    for cell, group in groupby(own, key=cell_of):
-        found = _whole(
-            _noted(store.records(group), note), protocol[cell[0]], follow=cell in followed
-        )
-        if found:
-            runs[cell] = found
-    return Evidence(paper.key, (*others, *paper.experiments), runs)
+    return {each.name: each.runs for each in experiments}, frozenset(followed)
 
 
 def _noted(records: Iterable[Record], note: Callable[[Record], None]) -> Iterator[Record]:

@@ -47,6 +47,12 @@ class RawRuns:
             cell = self._cells.setdefault((task.experiment, task.problem, task.algorithm), {})
             cell[task.repeat, task.run] = raw_run(record, self._places)
 
+    def add(self, runs: Iterable[RawRun]) -> None:
+        """Keep runs that were noted before."""
+        for each in runs:
+            cell = ran_as(each.study, each.experiment), each.problem, each.algorithm
+            self._cells.setdefault(cell, {})[each.repeat, each.run] = each
+
     def runs(self) -> tuple[RawRun, ...]:
         """Return the runs, cells in the order of their first record, by repeat and run in each."""
         return tuple(run for cell in self._cells.values() for _, run in sorted(cell.items()))

@@ -1,11 +1,13 @@
 import json
+import subprocess
+import sys
 from argparse import Namespace
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
-from repro.commands.kept_listing import FOLDER, MADE_OF, keep_listing, told
+from repro.commands.kept_listing import FOLDER, MADE_OF, OTHER_ROOMS, keep_listing, told
 from tests.small_stores import change, filled
 
 ROWS = [{"key": "small2020", "done": 6}]
@@ -89,3 +91,36 @@ def test_what_is_kept_is_printed_as_it_was(
     assert capsys.readouterr().out == ""
     listed()
     assert json.loads(capsys.readouterr().out) == ROWS
+
+
+def test_a_listing_rests_on_no_room_whose_changes_leave_it_as_it_is() -> None:
+    code = """
+import importlib, pkgutil, sys, papers, repro.commands.list
+for each in pkgutil.iter_modules(papers.__path__):
+    importlib.import_module(f"papers.{each.name}")
+print(*sys.modules)
+"""
+    found = subprocess.run([sys.executable, "-c", code], capture_output=True, check=True, text=True)
+    loaded = {name for name in found.stdout.split() if name.startswith("repro.")}
+    of_others = {name for name in loaded if name.split(".")[1] in OTHER_ROOMS}
+    assert "repro.runs.plan" in loaded
+    assert of_others == {"repro.report", "repro.report.files", "repro.report.kept"}  # they keep
+
+
+def test_a_change_in_another_room_leaves_the_listing(
+    listed: Callable[..., object],
+    made: list[int],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    engine = tmp_path / "engine"
+    for room in ("runs", "judge"):
+        (engine / room).mkdir(parents=True)
+    monkeypatch.setattr("repro.__path__", [str(engine)])
+    listed()
+    (engine / "judge" / "verdict.py").touch()
+    listed()
+    assert made == [1]
+    (engine / "runs" / "plan.py").touch()
+    listed()
+    assert made == [1, 1]
