@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import cache
 from itertools import accumulate
 from typing import Self
 
@@ -89,7 +90,7 @@ class PublishedTable:
     @property
     def row_names(self) -> tuple[str, ...]:
         """Printed row headings, joined by a space, from top to bottom."""
-        return tuple(map(_name, self.rows))
+        return _names(self.rows)
 
     @property
     def column_names(self) -> tuple[str, ...]:
@@ -130,6 +131,11 @@ def _lines(page: str) -> list[str]:
         message = f"{page.strip()!r} is no table: it needs its place, its headings and a row"
         raise DeclarationError(message)
     return lines
+
+
+@cache  # a claim asks for its number, and so for them, each time that it is judged
+def _names(rows: tuple[tuple[str, ...], ...]) -> tuple[str, ...]:
+    return tuple(map(_name, rows))
 
 
 def _name(row: tuple[str, ...]) -> str:

@@ -14,16 +14,24 @@ def contents(database: sqlite3.Connection) -> dict[str, str]:
 
     Rows are read as they stand: it is not looked at whether they are what was written.
     """
+    columns = COLUMNS.replace(" x,", "")
     query = (
-        f"select paper, run.id, {COLUMNS}, sha, json, y "  # noqa: S608
-        "from run not indexed left join curve using (id) left join env on env.id = run.env "
-        "order by run.id"
+        f"select paper, env, x, y, {columns}, run.id, sha "  # noqa: S608
+        "from run not indexed left join curve using (id) order by run.id"
     )
     found: dict[str, hashlib._Hash] = {}
-    for paper, *values, curve in database.execute(query):
+    used: dict[str, set[object]] = {}
+    for paper, env, x, curve, *values in database.execute(query):
         state = found.setdefault(paper, hashlib.sha256())
-        state.update(repr(values).encode())
-        state.update(curve if isinstance(curve, bytes) else repr(curve).encode())
+        used.setdefault(paper, set()).add(env)
+        # bytes as they are: written out they would take longer than all the rest
+        x, curve = (each if isinstance(each, bytes) else repr(each).encode() for each in (x, curve))
+        state.update(f"{values} {len(x)} {len(curve)}".encode())
+        state.update(x)
+        state.update(curve)
+    texts = dict(database.execute("select id, json from env").fetchall())
+    for paper, state in found.items():
+        state.update(repr(sorted((repr(env), repr(texts.get(env))) for env in used[paper])).encode())
     return {paper: state.hexdigest() for paper, state in found.items()}
 
 
