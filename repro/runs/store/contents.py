@@ -25,13 +25,15 @@ def contents(database: sqlite3.Connection) -> dict[str, str]:
         state = found.setdefault(paper, hashlib.sha256())
         used.setdefault(paper, set()).add(env)
         # bytes as they are: written out they would take longer than all the rest
-        x, curve = (each if isinstance(each, bytes) else repr(each).encode() for each in (x, curve))
-        state.update(f"{values} {len(x)} {len(curve)}".encode())
-        state.update(x)
-        state.update(curve)
+        blobs = [each if isinstance(each, bytes) else repr(each).encode() for each in (x, curve)]
+        state.update(f"{values} {[*map(len, blobs)]}".encode())
+        for each in blobs:
+            state.update(each)
     texts = dict(database.execute("select id, json from env").fetchall())
     for paper, state in found.items():
-        state.update(repr(sorted((repr(env), repr(texts.get(env))) for env in used[paper])).encode())
+        state.update(
+            repr(sorted((repr(env), repr(texts.get(env))) for env in used[paper])).encode()
+        )
     return {paper: state.hexdigest() for paper, state in found.items()}
 
 
