@@ -7,7 +7,6 @@ from itertools import count, islice
 from pathlib import Path
 
 from repro.runs.store.file import UNREADABLE, read_any_text
-from repro.runs.store.questions import rows_by_id
 from repro.runs.store.row import COLUMNS, Row, digest, unpack, whole_curve
 from repro.runs.store.settled import NAME
 
@@ -16,12 +15,12 @@ _AT_ONCE = 1000  # rows that one transaction takes over
 
 
 def row_query(database: sqlite3.Connection) -> str:
-    """Return the query of `rows_by_id`; a store of schema 1 has no column `packed`."""
+    """Return the query of one row by its id; a store of schema 1 has no column `packed`."""
     columns = database.execute("pragma table_info(curve)").fetchall()
     packed = "packed" if any(column[1] == "packed" for column in columns) else "0"
     return (
-        f"select {COLUMNS}, sha, json, y, {packed}, run.id "  # noqa: S608
-        f"from run left join curve using (id) left join env on env.id = run.env where run.id"
+        f"select {COLUMNS}, sha, json, y, {packed} "  # noqa: S608
+        f"from run left join curve using (id) left join env on env.id = run.env where run.id = ?"
     )
 
 
@@ -37,7 +36,7 @@ def damaged_rows(database: sqlite3.Connection) -> Iterator[str]:
     """Yield the name of every row that is not what was written."""
     query = row_query(database)
     for (number,) in database.execute("select id from run not indexed"):
-        row = rows_by_id(database, query, [number]).get(number)
+        row: Row = database.execute(query, (number,)).fetchone()
         if whole_curve(row) is None:
             yield name_of(row)
 
@@ -73,7 +72,7 @@ def whole_rows(path: Path) -> Iterator[Row]:
         query = row_query(database)
         for number in _ids(database):
             with suppress(*UNREADABLE):
-                row = rows_by_id(database, query, [number]).get(number)
+                row: Row | None = database.execute(query, (number,)).fetchone()
                 if row is not None and whole_curve(row) is not None:
                     yield row
 

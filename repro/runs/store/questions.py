@@ -4,8 +4,6 @@ import sqlite3
 from collections.abc import Sequence
 from typing import Any
 
-from repro.runs.store.row import Row
-
 HELD = 1_000_000  # runs of a store above which their keys are looked up and not held
 AT_ONCE = 500  # keys of one question: not every SQLite takes more than 999
 
@@ -40,13 +38,6 @@ def numbers_of(database: sqlite3.Connection, keys: Sequence[str]) -> dict[str, A
     marks = ", ".join("?" * len(keys))
     query = f"select key, id from run indexed by sqlite_autoindex_run_1 where key in ({marks})"  # noqa: S608
     return dict(database.execute(query, keys).fetchall())
-
-
-def rows_by_id(database: sqlite3.Connection, query: str, numbers: Sequence[Any]) -> dict[Any, Row]:
-    """Return by its id each row that is there; the query, which wants ids, has them last."""
-    marks = ", ".join("?" * len(numbers))
-    found = database.execute(f"{query} in ({marks})", numbers)
-    return {number: tuple(row) for *row, number in found}
 
 
 def seconds_by_kind(database: sqlite3.Connection) -> dict[Kind, float]:

@@ -3,7 +3,7 @@
 import hashlib
 import json
 import sqlite3
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from itertools import islice
 from pathlib import Path
@@ -29,18 +29,16 @@ from repro.runs.store.questions import (
     finished_of,
     held_keys,
     numbers_of,
-    rows_by_id,
     seconds_by_kind,
 )
 from repro.runs.store.questions import finished_keys as finished_keys_of
-from repro.runs.store.row import Row, record_of, write
+from repro.runs.store.row import record_of, write
 from repro.runs.store.settled import NAME, is_settled
 
 if TYPE_CHECKING:
     from io import BufferedReader
 
 _NAMED = 20  # damaged rows that are named one by one
-_READ = 20  # rows that are read at once: curves of a whole question are long
 
 
 class Store:
@@ -104,7 +102,7 @@ class Store:
         self._database = database
         self._hides_none = False
         with self._refusing():
-            self._rows = row_query(database)
+            self._row = row_query(database)
 
     @contextmanager
     def _refusing(self) -> Iterator[None]:
@@ -178,14 +176,8 @@ class Store:
 
     def _record(self, task: Task, number: int) -> Record:
         with self._refusing():
-            rows = rows_by_id(self._database, self._rows, [number])
-        return self._whole(task, rows.get(number))
-
-    def _whole(self, task: Task, row: Row | None) -> Record:
-        """Return the record that a row is of; DamageError where it is not what was written."""
-        record = record_of(task, row)
-        if record is None:
-            with self._refusing():
+            record = record_of(task, self._database.execute(self._row, (number,)).fetchone())
+            if record is None:
                 message = f"{self.path}: the row of {task.name} is damaged"
                 raise DamageError(message)
         return record
@@ -250,19 +242,12 @@ class Store:
         while some := list(islice(left, AT_ONCE)):
             with self._refusing():
                 numbers = numbers_of(self._database, [task.key for task in some])
-            for first in range(0, len(some), _READ):
-                yield from self._read(some[first : first + _READ], numbers)
-
-    def _read(self, tasks: Sequence[Task], numbers: Mapping[str, Any]) -> Iterator[Record]:
-        held = [numbers[task.key] for task in tasks if numbers.get(task.key) is not None]
-        with self._refusing():
-            rows = rows_by_id(self._database, self._rows, held)
-        for task in tasks:
-            number = numbers.get(task.key)
-            if number is not None:
-                yield self._whole(task, rows.get(number))
-            else:
-                self._refuse_hidden()
+            for task in some:
+                number = numbers.get(task.key)
+                if number is not None:  # read one by one: curves of a whole question are long
+                    yield self._record(task, number)
+                else:
+                    self._refuse_hidden()
 
     def environments(self, tasks: Iterable[Task]) -> list[dict[str, object]]:
         """Return the environments in which the stored runs of these tasks were made, in order."""
