@@ -38,7 +38,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Source:
+class OfStore:
     """Where the runs of a paper are; `rows` is a digest of them, "" where it is not known."""
 
     store: Store
@@ -47,7 +47,7 @@ class Source:
     rows: str
 
 
-def gathered(source: Source, tasks: Sequence[Task], raw: RawRuns) -> Evidence:
+def gathered(source: OfStore, tasks: Sequence[Task], raw: RawRuns) -> Evidence:
     """Return what `gather` does of the tasks, and note each run that was read."""
     folder = source.store.folder / FOLDER
     name = _name(source, tasks) if source.rows else ""
@@ -55,7 +55,7 @@ def gathered(source: Source, tasks: Sequence[Task], raw: RawRuns) -> Evidence:
     if content is None:
         own = RawRuns(source.besides)
         found = gather(source.store, source.paper, tasks, source.besides, own.note)
-        noted = own.runs()
+        noted: Sequence[RawRun] = own.runs()
         if name:
             keep(folder, name, b"".join(_packed(found.runs, noted)))
     else:
@@ -65,7 +65,7 @@ def gathered(source: Source, tasks: Sequence[Task], raw: RawRuns) -> Evidence:
     return found
 
 
-def _name(source: Source, tasks: Sequence[Task]) -> str:
+def _name(source: OfStore, tasks: Sequence[Task]) -> str:
     protocol, followed = whole_and_followed(source.paper, source.besides)
     departs = [(each.experiment.name, each.departs, each.of) for each in source.besides]
     said = (*_code(), source.rows, source.paper.key, protocol, sorted(followed), departs)

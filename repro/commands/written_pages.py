@@ -7,7 +7,7 @@ from functools import partial
 from pathlib import Path
 from types import MappingProxyType
 
-from repro.commands.kept_evidence import Source, gathered
+from repro.commands.kept_evidence import OfStore, gathered
 from repro.commands.kept_listing import FOLDER
 from repro.commands.kept_pages import (
     Request,
@@ -181,7 +181,7 @@ def judged(
     others = studies(paper, max((task.repeat for task in tasks), default=1))
     seed = tasks[0].seed if tasks else ""
     raw = RawRuns(others)
-    source = Source(store=store, paper=paper, besides=others, rows=rows)
+    source = OfStore(store=store, paper=paper, besides=others, rows=rows)
 
     def fetch(depths: Mapping[Cell, int]) -> Mapping[Cell, Runs]:
         more = deeper_tasks(paper, others, depths, seed)

@@ -4,7 +4,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from repro.commands.kept_evidence import Source, gathered
+from repro.commands.kept_evidence import OfStore, gathered
 from repro.commands.kept_listing import FOLDER
 from repro.model.evidence import Evidence
 from repro.runs.gather import gather
@@ -36,7 +36,7 @@ def found(place: Path, rows: str = "rows") -> Found:
     """Return the evidence of the small paper and its runs, kept or not."""
     raw = RawRuns(BESIDES)
     with Store(place) as store:
-        source = Source(store=store, paper=PAPER, besides=BESIDES, rows=rows)
+        source = OfStore(store=store, paper=PAPER, besides=BESIDES, rows=rows)
         return gathered(source, TASKS, raw), raw.runs()
 
 
