@@ -23,9 +23,16 @@ from repro.determinism.trees import installed, tree
 from repro.model.evidence import Cell, Evidence, Runs
 from repro.model.paper import Paper
 from repro.report.kept import find, keep
-from repro.runs.gather import evidence_of, gather, whole_and_followed
+from repro.runs.gather import (
+    cell_of,
+    evidence_of,
+    followed_cells,
+    gather,
+    is_measured,
+    known_experiments,
+)
 from repro.runs.plan import Task
-from repro.runs.raw_runs import RawRun, RawRuns
+from repro.runs.raw_runs import NUMBERS, RawCell, RawRuns
 from repro.runs.store.row import FLOAT, pack, vector
 from repro.runs.store.store import Store
 from repro.runs.studies import Study
@@ -33,7 +40,6 @@ from repro.runs.studies import Study
 _ROOM = "repro.runs"
 _BESIDES = ("repro.model.evidence", __name__)
 _NAMES = ("study", "experiment", "problem", "algorithm")
-_NUMBERS = ("repeat", "run", "cost", "evaluations", "seconds")
 Array = NDArray[np.float64]
 
 
@@ -55,7 +61,7 @@ def gathered(source: OfStore, tasks: Sequence[Task], raw: RawRuns) -> Evidence:
     if content is None:
         own = RawRuns(source.besides)
         found = gather(source.store, source.paper, tasks, source.besides, own.note)
-        noted: Sequence[RawRun] = own.runs()
+        noted: Sequence[RawCell] = own.cells()
         if name:
             keep(folder, name, b"".join(_packed(found.runs, noted)))
     else:
@@ -66,9 +72,15 @@ def gathered(source: OfStore, tasks: Sequence[Task], raw: RawRuns) -> Evidence:
 
 
 def _name(source: OfStore, tasks: Sequence[Task]) -> str:
-    protocol, followed = whole_and_followed(source.paper, source.besides)
+    known = known_experiments(source.paper, source.besides)
+    followed = followed_cells(source.paper, source.besides)
+    cells = [
+        (cell, known[cell[0]].runs, cell in followed, is_measured(known[cell[0]], *cell[1:]))
+        for cell, _ in groupby(tasks, key=cell_of)
+        if cell[0] in known
+    ]
     departs = [(each.experiment.name, each.departs, each.of) for each in source.besides]
-    said = (*_code(), source.rows, source.paper.key, protocol, sorted(followed), departs)
+    said = (*_code(), source.rows, source.paper.key, cells, departs)
     digest = hashlib.sha256("\0".join(map(str, said)).encode())
     for task in tasks:
         digest.update(task.key.encode())
@@ -82,8 +94,8 @@ def _code() -> tuple[str, ...]:
     return (tree(Path(files[0]).parent).hex(), *own, *installed())
 
 
-def _packed(runs: Mapping[Cell, Runs], noted: Sequence[RawRun]) -> Iterator[bytes]:
-    """Yield a line that says what follows, then all numbers as doubles, histories packed."""
+def _packed(runs: Mapping[Cell, Runs], noted: Sequence[RawCell]) -> Iterator[bytes]:
+    """Yield a line that says what follows, then all numbers as they are, but histories packed."""
     blobs: list[bytes] = []
     cells = []
     for cell, each in runs.items():
@@ -91,12 +103,9 @@ def _packed(runs: Mapping[Cell, Runs], noted: Sequence[RawRun]) -> Iterator[byte
         shapes = [array.shape for array in (each.costs, each.points, each.histories)]
         cells.append([cell, shapes, len(curves), each.evaluations, each.seconds])
         blobs += (_bytes(each.costs), _bytes(each.points), curves)
-    groups = []
-    for names, group in groupby(noted, key=lambda run: [getattr(run, name) for name in _NAMES]):
-        table = np.array([[getattr(run, name) for name in _NUMBERS] for run in group])
-        groups.append([names, table.shape])
-        blobs.append(_bytes(table))
-    yield json.dumps([cells, groups]).encode() + b"\n"
+    blobs += (getattr(cell, name).tobytes() for cell in noted for name in NUMBERS)
+    names = [[[getattr(each, name) for name in _NAMES], len(each.run)] for each in noted]
+    yield json.dumps([cells, names]).encode() + b"\n"
     yield from blobs
 
 
@@ -104,9 +113,9 @@ def _bytes(array: Array) -> bytes:
     return array.astype(FLOAT).tobytes()
 
 
-def _unpacked(content: bytes) -> tuple[dict[Cell, Runs], list[RawRun]]:
+def _unpacked(content: bytes) -> tuple[dict[Cell, Runs], list[RawCell]]:
     line, _, _ = content.partition(b"\n")
-    cells, groups = json.loads(line)
+    cells, names = json.loads(line)
     place = len(line) + 1
 
     def taken(size: int) -> bytes:
@@ -126,17 +135,9 @@ def _unpacked(content: bytes) -> tuple[dict[Cell, Runs], list[RawRun]]:
             evaluations=evaluations,
             seconds=seconds,
         )
-    return runs, [run for names, shape in groups for run in _noted(names, array(shape))]
-
-
-def _noted(names: Sequence[str], table: Array) -> Iterator[RawRun]:
-    own = dict(zip(_NAMES, names, strict=True))
-    for repeat, run, cost, evaluations, seconds in table.tolist():
-        yield RawRun(
-            **own,
-            repeat=int(repeat),
-            run=int(run),
-            cost=cost,
-            evaluations=int(evaluations),
-            seconds=seconds,
-        )
+    noted = [RawCell(*own) for own, _ in names]
+    for cell, (_, count) in zip(noted, names, strict=True):
+        for name in NUMBERS:
+            column = getattr(cell, name)
+            column.frombytes(taken(count * column.itemsize))
+    return runs, noted

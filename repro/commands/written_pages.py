@@ -189,4 +189,4 @@ def judged(
         return gathered(source, more, raw).runs
 
     judgement = judge(paper, gathered(source, tasks, raw), others, fetch)
-    return replace(judgement, runs=raw.runs(), drawn_as=drawn_as(paper, others))
+    return replace(judgement, runs=raw.cells(), drawn_as=drawn_as(paper, others))

@@ -1,13 +1,16 @@
 """From stored runs to the evidence of one paper."""
 
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from itertools import groupby
 
 import numpy as np
 
+from repro.functions import BenchmarkProblem
 from repro.model.evidence import Cell, Evidence, Runs
+from repro.model.experiment import Experiment
 from repro.model.paper import Paper
+from repro.optimisers.search import LeavesBox
 from repro.runs.plan import Task
 from repro.runs.run import Record
 from repro.runs.store.store import Store
@@ -27,12 +30,16 @@ def gather(
     Tasks of one cell stand together, so that no more than one cell's records are held at once.
     """
     studies = tuple(besides)
-    protocol, followed = whole_and_followed(paper, studies)
+    known = known_experiments(paper, studies)
+    followed = followed_cells(paper, studies)
     runs: dict[Cell, Runs] = {}
-    own = (task for task in tasks if task.paper == paper.key and task.experiment in protocol)
+    own = (task for task in tasks if task.paper == paper.key and task.experiment in known)
     for cell, group in groupby(own, key=cell_of):
         found = _whole(
-            _noted(store.records(group), note), protocol[cell[0]], follow=cell in followed
+            _noted(store.records(group), note),
+            known[cell[0]].runs,
+            follow=cell in followed,
+            measure=is_measured(known[cell[0]], *cell[1:]),
         )
         if found:
             runs[cell] = found
@@ -45,11 +52,14 @@ def evidence_of(paper: Paper, besides: Iterable[Study], runs: Mapping[Cell, Runs
     return Evidence(paper.key, (*others, *paper.experiments), runs)
 
 
-def whole_and_followed(
-    paper: Paper, besides: Sequence[Study]
-) -> tuple[Mapping[str, int], frozenset[Cell]]:
-    """Return by experiment how many runs are a whole repeat, and the cells that claims follow."""
-    experiments = (*paper.experiments, *(study.experiment for study in besides))
+def known_experiments(paper: Paper, besides: Iterable[Study]) -> dict[str, Experiment]:
+    """Return by name what is run of a paper and besides."""
+    others = (study.experiment for study in besides)
+    return {experiment.name: experiment for experiment in (*paper.experiments, *others)}
+
+
+def followed_cells(paper: Paper, besides: Iterable[Study]) -> frozenset[Cell]:
+    """Return the cells whose searches claims follow, and not where they end alone."""
     followed = {
         cell
         for claim in paper.claims
@@ -57,13 +67,12 @@ def whole_and_followed(
         for cell in claim.measure.cells()
     }
     # under another reading a claim follows the searches of that reading
-    followed |= {
+    return frozenset(followed) | {
         (study.experiment.name, problem, algorithm)
         for study in besides
         for experiment, problem, algorithm in followed
         if study.kind == "reading" and study.of == experiment
     }
-    return {each.name: each.runs for each in experiments}, frozenset(followed)
 
 
 def _noted(records: Iterable[Record], note: Callable[[Record], None]) -> Iterator[Record]:
@@ -77,8 +86,15 @@ def cell_of(task: Task) -> Cell:
     return task.experiment, task.problem, task.algorithm
 
 
-def _whole(records: Iterable[Record], runs: int, *, follow: bool) -> Runs | None:
-    """Return the whole repeats; the histories of all of them, or of the first alone."""
+def is_measured(experiment: Experiment, problem: str, algorithm: str) -> bool:
+    """Whether more is asked of the points where runs end than what they cost."""
+    search = experiment.algorithms[algorithm]
+    leaves = isinstance(search, LeavesBox) and search.leaves_box
+    return leaves or not isinstance(experiment.problems[problem], BenchmarkProblem)
+
+
+def _whole(records: Iterable[Record], runs: int, *, follow: bool, measure: bool) -> Runs | None:
+    """Return the whole repeats; histories and points of all of them, or of the first alone."""
     by_repeat: dict[int, list[Record]] = defaultdict(list)
     for record in records:
         if record.reason is None:
@@ -88,7 +104,9 @@ def _whole(records: Iterable[Record], runs: int, *, follow: bool) -> Runs | None
         return None
     return Runs(
         costs=np.array([[record.cost for record in records] for records in whole]),
-        points=np.array([[record.x for record in records] for records in whole]),
+        points=np.array(
+            [[record.x for record in records] for records in whole[: None if measure else 1]]
+        ),
         histories=np.array(
             [[record.history for record in records] for records in whole[: None if follow else 1]]
         ),

@@ -8,14 +8,14 @@ from repro.commands.kept_evidence import OfStore, gathered
 from repro.commands.kept_listing import FOLDER
 from repro.model.evidence import Evidence
 from repro.runs.gather import gather
-from repro.runs.raw_runs import RawRun, RawRuns
+from repro.runs.raw_runs import RawCell, RawRuns
 from repro.runs.store.store import Store
 from repro.runs.studies import studies
 from tests.small_papers import PAPER
 from tests.small_stores import TASKS, filled
 
 BESIDES = studies(PAPER, 2)
-Found = tuple[Evidence, tuple[RawRun, ...]]
+Found = tuple[Evidence, tuple[RawCell, ...]]
 
 
 @pytest.fixture
@@ -37,7 +37,7 @@ def found(place: Path, rows: str = "rows") -> Found:
     raw = RawRuns(BESIDES)
     with Store(place) as store:
         source = OfStore(store=store, paper=PAPER, besides=BESIDES, rows=rows)
-        return gathered(source, TASKS, raw), raw.runs()
+        return gathered(source, TASKS, raw), raw.cells()
 
 
 def content(evidence: Evidence) -> list[object]:
@@ -61,7 +61,7 @@ def test_kept_evidence_is_what_is_gathered_to_the_last_bit(tmp_path: Path, read:
             each.seconds for each in expected.runs.values()
         ]
         assert evidence.experiments == expected.experiments
-        assert runs == raw.runs()
+        assert runs == raw.cells()
         assert all(np.isfinite(each.costs).all() for each in evidence.runs.values())
 
 
