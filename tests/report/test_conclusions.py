@@ -90,8 +90,10 @@ def test_the_rival_is_beaten_by_what_the_runs_say_and_not_by_the_print(doe: dict
     assert (rival["proposed"], rival["other"]) == ("WOA", "PSO")
     assert rival["printed"] == pytest.approx(100 * (1 - 2.357 / 2.1))
     assert rival["interval"][0] <= rival["value"] <= rival["interval"][1]
-    assert said(doe)[1].startswith("WOA and PSO are not told apart in time; printed is 12.2 % more")
-    assert said(doe)[1].endswith("by 2 repeats).")
+    assert said(doe)[1].startswith(
+        "WOA and PSO are not told apart in time; printed is 12.2 % more for WOA"
+    )
+    assert said(doe)[1].endswith("%, 2 repeats).")
 
 
 def test_one_repeat_is_called_provisional(tmp_path: Path) -> None:

@@ -19,7 +19,7 @@ AT_AN_END = 1e-6  # share of a duration allowed by which the motion's is longer 
 LINEAR_PROGRAMME = (
     "linear programme: the velocity limits are linear in the durations, a rational combination of "
     "them bounds the sum from below, and a motion, lengthened a little, is proved to keep "
-    "every limit by Bernstein coefficients in rational numbers; u runs from 0 to 1 in each segment"
+    "every limit by Bernstein coefficients in rational numbers; u goes from 0 to 1 in each segment"
 )
 BRANCH_AND_BOUND = (
     "branch and bound over the durations: the velocity limits are linear in them, the acceleration "
