@@ -29,6 +29,8 @@ def test_only_the_first_use_of_a_word_is_a_link_however_it_is_written() -> None:
 def test_the_longer_word_goes_before_the_one_within_it() -> None:
     assert ">rank-sum test</a>" in linked("<p>a rank-sum test</p>")
     assert ">prediction\ninterval</a>" in linked("<p>the prediction\ninterval</p>")
+    told = first_uses("<p>a setting that it does not print</p>", markdown=False)
+    assert [term.name for term in told.terms] == ["open setting"]
     assert linked("<p>pre-reading, misreadings, reading-room</p>").count("<a") == 0
 
 
