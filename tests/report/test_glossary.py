@@ -1,3 +1,4 @@
+import re
 from pathlib import Path
 
 import pytest
@@ -52,3 +53,9 @@ def test_the_manual_has_the_words_of_the_pages() -> None:
     written = (ROOT / "docs" / "glossary.md").read_text(encoding="utf-8")
 
     assert written == render("manual-glossary.md", {"terms": glossary().terms})
+
+
+def test_a_heading_of_the_markdown_page_has_the_anchor_that_links_name() -> None:
+    for term in glossary().terms:
+        of_heading = re.sub(r"[^a-z0-9 -]", "", term.name.lower()).replace(" ", "-")
+        assert of_heading == term.anchor
