@@ -51,6 +51,7 @@ def _templates(*, markdown: bool) -> Environment:
     environment.filters |= {
         "number": number,
         "raised": powers_of_ten,
+        "sources": partial(with_sources, markdown=markdown),
         "packed": packed,
         "seconds_raised": seconds_raised,
         "mathml": mathml,
