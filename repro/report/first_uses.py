@@ -32,7 +32,7 @@ Links = dict[tuple[int, int], tuple[str, str]]
 """Where a link goes and its class, by start and end of its text."""
 
 
-class Told(NamedTuple):
+class Explained(NamedTuple):
     """A page with its links, and the words that it links to."""
 
     page: Markup
@@ -47,7 +47,7 @@ class _Piece(NamedTuple):
     folded: bool
 
 
-def first_uses(page: str, *, markdown: bool, place: str | None = None) -> Told:
+def first_uses(page: str, *, markdown: bool, place: str | None = None) -> Explained:
     """Return a page with a link at the first use of each word of the glossary, and at each source.
 
     What is in sight goes before what is folded. `place` is where the words are explained, with what
@@ -59,7 +59,7 @@ def first_uses(page: str, *, markdown: bool, place: str | None = None) -> Told:
     uses = _uses(pieces)
     words = {span: (f"{where}{term.anchor}", "term") for term, span in uses.items()}
     terms = tuple(term for term in glossary().terms if term in uses)
-    return Told(Markup(_linked(page, sources | words, markdown=markdown)), terms)  # noqa: S704
+    return Explained(Markup(_linked(page, sources | words, markdown=markdown)), terms)  # noqa: S704
 
 
 def with_sources(page: str, *, markdown: bool) -> str:
