@@ -17,7 +17,7 @@ from repro.commands.motion_values import (
     text,
 )
 from repro.errors import InputError, ReproError
-from repro.robotics import MinimumTime, MinimumTimeSpline, RestToRestLaw
+from repro.robotics import DirectedSpline, MinimumTime, RestToRestLaw
 from repro.robotics.bsplines import Ends
 from repro.robotics.motion_checks import Rows, numbers, rows
 from repro.robotics.own_motion import OwnMotion
@@ -50,12 +50,6 @@ class MotionFile:
     problem: OwnMotion
     limits: Mapping[str, Rows]
     robot: Robot | None
-
-    @property
-    def points(self) -> Rows:
-        """The waypoints."""
-        own = self.problem
-        return own.nodes if isinstance(own, MinimumTimeSpline) else own.waypoints
 
     @property
     def si(self) -> tuple[float, ...]:
@@ -216,9 +210,7 @@ def _polynomials(
     )
 
 
-def _spline(
-    given: Mapping[str, Any], points: Rows, limits: Mapping[str, Rows]
-) -> MinimumTimeSpline:
+def _spline(given: Mapping[str, Any], points: Rows, limits: Mapping[str, Rows]) -> OwnMotion:
     joints = len(points[0])
     rule = {
         key: text(given, key, default=default, known=("still", "repeated", "natural"))
@@ -226,19 +218,17 @@ def _spline(
     }
     _check_spline(given, joints, limits, rule["ends"])
     _check_inside(points, limits.get("range", ()))
-    even = {key: _even(limits[key]) for key in ("velocity", "acceleration")}
-    for key, found in even.items():
-        if found is None:
-            message = f"{key}: a spline's lower and upper limits must be alike, as -180 and 180 are"
-            raise Faulty(message)
-    return MinimumTimeSpline(
+    spline = DirectedSpline(
         nodes=points,
-        velocity=even["velocity"] or (),
-        acceleration=even["acceleration"] or (),
+        velocity=limits["velocity"],
+        acceleration=limits["acceleration"],
         durations=_box(given),
         ends=_rule(rule["ends"]),
         time_ends=_rule(rule["time_ends"]),
     )
+    if _even(spline.velocity) and _even(spline.acceleration):
+        return spline.widest
+    return spline
 
 
 def _check_spline(
