@@ -39,7 +39,8 @@ def sampled(
     if isinstance(problem, MinimumTime):
         return rest_to_rest.motion(problem, durations, derivative=derivative, samples=samples)
     spline = problem.widest if isinstance(problem, DirectedSpline) else problem
-    return spline_motion.motion(spline, durations, derivative=derivative, samples=samples)
+    with np.errstate(all="ignore"):  # a jerk that is not asked for may be no double
+        return spline_motion.motion(spline, durations, derivative=derivative, samples=samples)
 
 
 def increasing(times: Vector) -> NDArray[np.intp]:

@@ -249,7 +249,8 @@ def at_shares(coefficients: Vector, share: Vector) -> Vector:
     rest = np.tile(coefficients[:, None], len(share))
     while len(rest) > 1:
         rest = rest[:-1] * (1.0 - share) + rest[1:] * share
-    return np.asarray(rest[0])
+    # no value is beyond the coefficients but by rounding, which a start at a limit would not bear
+    return np.asarray(np.clip(rest[0], coefficients.min(), coefficients.max()))
 
 
 def _turns(coefficients: Vector) -> Vector:

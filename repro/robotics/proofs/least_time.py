@@ -9,7 +9,7 @@ from repro.robotics.fastest import fastest_joints
 from repro.robotics.fixed_penalties import Cheapest, cheapest
 from repro.robotics.path_fitting import PathFitting
 from repro.robotics.proofs.limit_rows import Cut
-from repro.robotics.proofs.proved import LeastTime, box_in_words, closed, gap
+from repro.robotics.proofs.proved import FREE, LeastTime, box_in_words, closed, gap
 from repro.robotics.proofs.rest_to_rest_minimum import PER, rest_to_rest
 from repro.robotics.proofs.spline_minimum import SplineProof, prove, prove_within
 from repro.robotics.proofs.watch import Watch
@@ -136,7 +136,8 @@ def _explanation(
     problem: Spline, proof: SplineProof, lower: float | None, attained: float | None
 ) -> str:
     if lower is None:
-        return f"No durations{box_in_words(problem.durations)} obey{_by_boxes(proof.boxes)}."
+        box = box_in_words(problem.durations) or f" up to {FREE[1]:g} s"
+        return f"No durations{box} obey{_by_boxes(proof.boxes)}."
     by_boxes = _by_boxes(proof.boxes, " of durations")
     if attained is None:
         among = box_in_words(problem.durations, " with durations ")
