@@ -24,6 +24,10 @@ def blocks(paper: Paper) -> tuple[Block, ...]:
         if not is_count(claim.measure.statistic):  # a count of runs is no cost
             key = (claim.table.label, *claim.measure.cell, claim.measure.quantity)
             found.setdefault(key, {})[claim.measure.statistic] = claim
+    tables = {
+        claim.table.label: claim.table for claims in found.values() for claim in claims.values()
+    }
+    scientific = {label: is_scientific(table) for label, table in tables.items()}
     return tuple(
         Block(
             problem_name=problem,
@@ -31,11 +35,11 @@ def blocks(paper: Paper) -> tuple[Block, ...]:
             quantity=quantity,
             n=experiments[experiment].runs,
             cells={name: claim.cell for name, claim in claims.items()},
-            scientific=is_scientific(next(iter(claims.values())).table),
+            scientific=scientific[label],
             function=_bounds(experiments[experiment].problems.get(problem), quantity),
             maximise=experiments[experiment].maximise and quantity == "cost",
         )
-        for (_, experiment, problem, algorithm, quantity), claims in found.items()
+        for (label, experiment, problem, algorithm, quantity), claims in found.items()
     )
 
 

@@ -44,7 +44,10 @@ def parsed(arguments: Sequence[str] | None = None) -> argparse.Namespace:
     if files := [name for name in unknown if is_table_file(name)]:
         message = f"{files[0]!r} reads like an option; a file of this name is ./{files[0]}"
         raise InputError(message)
-    if unknown:
+    if options.several and not any(name.startswith("-") for name in unknown):
+        # argparse takes what stands before the first option alone
+        getattr(options, options.several).extend(unknown)
+    elif unknown:
         options.named.error(f"unrecognized arguments: {' '.join(unknown)}")
     if options.command == "audit":
         options.command = audit_command(options.keys, vars(options))
@@ -61,7 +64,7 @@ def parser() -> argparse.ArgumentParser:
     for name, text in _TEXTS.items():
         description = _AGAIN if name == "again" else text
         parsers[name] = added.add_parser(name, help=text, description=description)
-        parsers[name].set_defaults(command=name, named=parsers[name])
+        parsers[name].set_defaults(command=name, named=parsers[name], several="")
     _add_names(parsers)
     _add_runs(parsers)
     _add_places(parsers)
@@ -75,6 +78,7 @@ def parser() -> argparse.ArgumentParser:
 def _add_motion(motion: argparse.ArgumentParser) -> None:
     """Add the files of motions, and what becomes of them."""
     motion.add_argument("files", nargs="+", metavar="FILE.toml", help="a motion and its limits")
+    motion.set_defaults(several="files")
     motion.add_argument(
         "--seconds",
         type=float,
@@ -93,6 +97,7 @@ def _add_names(parsers: Mapping[str, argparse.ArgumentParser]) -> None:
     add_compare_options(parsers["compare"])
     for name in ("reproduce", "report", "list", "audit", "certify", "references", "export"):
         parsers[name].add_argument("keys", nargs="*", metavar="PAPER", help=_PAPERS)
+        parsers[name].set_defaults(several="keys")
     parsers["new"].add_argument("key", metavar="KEY", help="names the paper: its author and year")
     parsers["check"].add_argument("keys", nargs="+", metavar="PAPER", help=_PAPER)
     again, verify, flips = parsers["again"], parsers["verify"], parsers["flips"]

@@ -17,6 +17,7 @@ def add_compare_options(parser: argparse.ArgumentParser) -> None:
         "ask and tell; then papers, each a key, a file or folder, or the key of an installed "
         "package (default: all)",
     )  # fmt: skip
+    parser.set_defaults(several="given")
     parser.add_argument(
         "--name", action="append", default=[], dest="names",
         help="what the pages call it (default: OBJECT); once for each search",

@@ -6,7 +6,6 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from itertools import groupby
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -21,25 +20,20 @@ from repro.model.paper import Paper
 from repro.report.drawings.distribution import MARKS
 from repro.report.drawings.draw import plot_of
 from repro.report.drawings.style import Plot, drawing_style
-from repro.report.frames import runs_frame
+from repro.report.frames import cell_frame, runs_frame
 from repro.report.results import Json, paper_result
 from repro.runs.gather import gather
 from repro.runs.plan import Task, plan
 from repro.runs.raw_runs import (
-    RawRun,
+    RawRuns,
     drawn_as,
     every_task,
     experiments_of,
-    places,
     ran_as,
-    raw_run,
 )
 from repro.runs.run import Record
 from repro.runs.store.store import Store
 from repro.runs.studies import Study, studies
-
-MEASURED = ("repeat", "run", "cost", "evaluations", "seconds")
-NAMES = ("study", "experiment", "problem", "algorithm")
 
 
 class NoRunsError(InputError):
@@ -187,14 +181,8 @@ def _cell(task: Task) -> tuple[str, str, str]:
 
 def _parts(store: Store, tasks: Iterator[Task], besides: Sequence[Study]) -> Iterator[pd.DataFrame]:
     """Yield a frame a cell; names stand in it once."""
-    known = places(besides)
     for _, group in groupby(tasks, key=_cell):
-        runs = [raw_run(each, known) for each in store.records(group) if each.reason is None]
-        if runs:
-            yield _part(runs)
-
-
-def _part(runs: Sequence[RawRun]) -> pd.DataFrame:
-    columns: dict[str, Any] = {name: getattr(runs[0], name) for name in NAMES}
-    columns |= {name: [getattr(run, name) for run in runs] for name in MEASURED}
-    return pd.DataFrame(columns)
+        raw = RawRuns(besides)
+        for record in store.records(group):
+            raw.note(record)
+        yield from map(cell_frame, raw.cells())

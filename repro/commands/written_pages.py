@@ -171,4 +171,4 @@ def judged(store: Store, paper: Paper, tasks: Sequence[Task], run: Run = _none) 
         return gather(store, paper, more, others, raw.note).runs
 
     judgement = judge(paper, gather(store, paper, tasks, others, raw.note), others, fetch)
-    return replace(judgement, runs=raw.runs(), drawn_as=drawn_as(paper, others))
+    return replace(judgement, runs=raw.cells(), drawn_as=drawn_as(paper, others))

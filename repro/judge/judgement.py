@@ -15,7 +15,7 @@ from repro.judge.rank_tests import AlgorithmTests, algorithm_tests
 from repro.judge.times_found import FoundTime, found_times
 from repro.model.evidence import Evidence
 from repro.model.paper import Paper
-from repro.runs.raw_runs import RawRun
+from repro.runs.raw_runs import RawCell
 from repro.runs.studies import Study, kinds_of
 
 
@@ -45,7 +45,7 @@ class Judgement:
     besides: tuple[str, ...] = ()
     reading_repeats: int = 0
     outside: tuple[OutsideBox, ...] = ()
-    runs: tuple[RawRun, ...] = ()
+    runs: tuple[RawCell, ...] = ()
     drawn_as: Mapping[str, str] = field(default_factory=dict)
 
     @property

@@ -24,9 +24,9 @@ T = TypeVar("T")
 class Runs:
     """Every run of one algorithm on one problem.
 
-    `costs` (repeats, runs), `points` (repeats, runs, n), `histories` (repeats, runs, iterations),
-    of the first repeat alone where no claim follows the searches themselves; `evaluations` and
-    median `seconds` of one run.
+    `costs` (repeats, runs), `points` (repeats, runs, n), of the first repeat alone where nothing
+    but a cost is known of them, `histories` (repeats, runs, iterations), of the first repeat alone
+    where no claim follows the searches themselves; `evaluations` and median `seconds` of one run.
     """
 
     costs: Vector

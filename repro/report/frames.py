@@ -5,8 +5,10 @@ The columns of each are described in docs/data.md.
 
 import dataclasses
 import math
+from array import array
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
+import numpy as np
 import pandas as pd
 
 from repro.audit import AuditRow
@@ -16,7 +18,7 @@ from repro.model.identifiers import identifiers
 from repro.report.escapes import csv_value
 from repro.report.plain_rows import RANK_SUM, STANDING, TEST
 from repro.report.results import Json
-from repro.runs.raw_runs import RawRun, ran_as
+from repro.runs.raw_runs import RawCell, ran_as
 
 Entries = Iterable[Json]
 INSTANT = "time [s]"
@@ -125,9 +127,17 @@ def without_end(interval: Sequence[float | None]) -> tuple[float, float]:
     return -math.inf if low is None else low, math.inf if high is None else high
 
 
-def published_frame(runs: Sequence[RawRun]) -> pd.DataFrame:
-    """Return finished runs as they are published: what equal runs have equal."""
-    return pd.DataFrame({name: [getattr(run, name) for run in runs] for name in PUBLISHED})
+def cell_frame(cell: RawCell) -> pd.DataFrame:
+    """Return the runs of a cell by repeat and run, each once, the names in every row."""
+    columns = {each.name: getattr(cell, each.name) for each in dataclasses.fields(cell)}
+    frame = pd.DataFrame(
+        {
+            name: np.asarray(values) if isinstance(values, array) else values
+            for name, values in columns.items()
+        }
+    )
+    once = frame.drop_duplicates(["repeat", "run"], keep="last")
+    return once.sort_values(["repeat", "run"], ignore_index=True)
 
 
 def runs_frame(

@@ -2,7 +2,7 @@
 
 import gzip
 import io
-from collections.abc import Sequence
+from collections.abc import Iterable
 from pathlib import Path
 
 import pandas as pd
@@ -10,8 +10,8 @@ import pandas as pd
 from repro.errors import InputError
 from repro.judge.centre_bias import Bias
 from repro.model.identifiers import anchor
-from repro.report.frames import PUBLISHED, csv_text, published_frame
-from repro.runs.raw_runs import RawRun
+from repro.report.frames import PUBLISHED, cell_frame, csv_text
+from repro.runs.raw_runs import RawCell
 
 LEVEL = 9  # written once and read often
 _WHOLE = ("repeat", "run", "evaluations")
@@ -46,11 +46,14 @@ def read_biases(path: Path) -> list[Bias]:
         raise InputError(" ".join(message.split())) from None
 
 
-def packed_runs(runs: Sequence[RawRun]) -> bytes:
+def packed_runs(cells: Iterable[RawCell]) -> bytes:
     """Return the file of these runs; neither a time nor a file's name is kept in it."""
     packed = io.BytesIO()
     with gzip.GzipFile("", "wb", LEVEL, packed, mtime=0) as file:
-        file.write(csv_text(published_frame(runs)).encode())
+        file.write((",".join(PUBLISHED) + "\n").encode())
+        for cell in cells:
+            rows = csv_text(cell_frame(cell)[list(PUBLISHED)])
+            file.write(rows.partition("\n")[2].encode())
     return packed.getvalue()
 
 

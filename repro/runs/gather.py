@@ -6,8 +6,11 @@ from itertools import groupby
 
 import numpy as np
 
+from repro.functions import BenchmarkProblem
 from repro.model.evidence import Cell, Evidence, Runs
+from repro.model.experiment import Experiment
 from repro.model.paper import Paper
+from repro.optimisers.search import LeavesBox
 from repro.runs.plan import Task
 from repro.runs.run import Record
 from repro.runs.store.store import Store
@@ -28,7 +31,7 @@ def gather(
     """
     studies = tuple(besides)
     others = tuple(study.experiment for study in studies)
-    protocol = {experiment.name: experiment.runs for experiment in (*paper.experiments, *others)}
+    known = {experiment.name: experiment for experiment in (*paper.experiments, *others)}
     followed = {
         cell
         for claim in paper.claims
@@ -43,10 +46,13 @@ def gather(
         if study.kind == "reading" and study.of == experiment
     }
     runs: dict[Cell, Runs] = {}
-    own = (task for task in tasks if task.paper == paper.key and task.experiment in protocol)
+    own = (task for task in tasks if task.paper == paper.key and task.experiment in known)
     for cell, group in groupby(own, key=cell_of):
         found = _whole(
-            _noted(store.records(group), note), protocol[cell[0]], follow=cell in followed
+            _noted(store.records(group), note),
+            known[cell[0]].runs,
+            follow=cell in followed,
+            measure=_is_measured(known[cell[0]], *cell[1:]),
         )
         if found:
             runs[cell] = found
@@ -64,8 +70,15 @@ def cell_of(task: Task) -> Cell:
     return task.experiment, task.problem, task.algorithm
 
 
-def _whole(records: Iterable[Record], runs: int, *, follow: bool) -> Runs | None:
-    """Return the whole repeats; the histories of all of them, or of the first alone."""
+def _is_measured(experiment: Experiment, problem: str, algorithm: str) -> bool:
+    """Whether more is asked of the points where runs end than what they cost."""
+    search = experiment.algorithms[algorithm]
+    leaves = isinstance(search, LeavesBox) and search.leaves_box
+    return leaves or not isinstance(experiment.problems[problem], BenchmarkProblem)
+
+
+def _whole(records: Iterable[Record], runs: int, *, follow: bool, measure: bool) -> Runs | None:
+    """Return the whole repeats; histories and points of all of them, or of the first alone."""
     by_repeat: dict[int, list[Record]] = defaultdict(list)
     for record in records:
         if record.reason is None:
@@ -75,7 +88,9 @@ def _whole(records: Iterable[Record], runs: int, *, follow: bool) -> Runs | None
         return None
     return Runs(
         costs=np.array([[record.cost for record in records] for records in whole]),
-        points=np.array([[record.x for record in records] for records in whole]),
+        points=np.array(
+            [[record.x for record in records] for records in whole[: None if measure else 1]]
+        ),
         histories=np.array(
             [[record.history for record in records] for records in whole[: None if follow else 1]]
         ),

@@ -1,6 +1,6 @@
 """Whether a search's runs come out again: a sampled one made anew, alone, after another, otherwise.
 
-Each is made in a fresh process: what one leaves behind reaches no other.
+Each is made in a fresh process, so that what one leaves behind reaches no other.
 """
 
 from collections.abc import Iterator, Sequence
@@ -79,18 +79,18 @@ def probed(tasks: Sequence[Task], stored: dict[str, Record], executor: Executor)
     asked = []
     for own in searches.values():
         task = _sampled(own)
-        kinds: tuple[dict[str, Any], ...] = (
-            {},
-            {"salt": SALT},
-            {"after": _another(own, task).stream},
-            {"tells": True},
+        processes = (
+            # what is said of the count needs no process that nothing ran in before
+            [_probe(task), _probe(task, tells=True)],
+            [_probe(task, salt=SALT)],
+            [_probe(task, after=_another(own, task).stream)],
         )
-        asked.append((task, [executor.submit(_alone, _probe(task, **kind)) for kind in kinds]))
-    return [
-        warned
-        for task, futures in asked
-        for warned in told(stored[task.key], *(future.result() for future in futures))
-    ]
+        asked.append((task, [executor.submit(_apart, probes) for probes in processes]))
+    found: list[Warned] = []
+    for task, futures in asked:
+        (alone, counted), (otherwise,), (after,) = (future.result() for future in futures)
+        found += told(stored[task.key], alone, otherwise, after, counted)
+    return found
 
 
 def _sampled(tasks: Sequence[Task]) -> Task:
@@ -110,13 +110,13 @@ def _probe(task: Task, **kind: Any) -> Task:  # noqa: ANN401 (fields of a probe)
     return replace(task, optimiser=Probe(entrant=task.optimiser, **kind), timeout=timeout)
 
 
-def _alone(task: Task) -> Record:
-    """Return the record of a run in a process that does nothing else."""
+def _apart(tasks: Sequence[Task]) -> list[Record]:
+    """Return the records of runs one after another in a process that does nothing else."""
     worker = WorkerProcess()
     try:
-        return worker.execute(task)
+        return [worker.execute(task) for task in tasks]
     except StoppedError:
-        return execute(task)
+        return list(map(execute, tasks))
     finally:
         worker.close()
 

@@ -1,7 +1,8 @@
 """Finished runs one by one: what is published of each, and what its seed is."""
 
-from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from array import array
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
 
 from repro.model.experiment import Experiment
 from repro.model.paper import Paper
@@ -10,26 +11,33 @@ from repro.runs.run import Record
 from repro.runs.studies import Study, studies, study_name
 
 PROTOCOL = "protocol"
-Place = tuple[str, str]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class RawRun:
-    """What one finished run ended with.
+@dataclass(frozen=True, slots=True)
+class RawCell:
+    """What the finished runs of one algorithm on one problem ended with, a column a field.
 
-    `study` says in what the run departs from the paper's protocol, `PROTOCOL` where in nothing;
-    `experiment` is always the paper's own. `seconds` are of the machine that ran it.
+    `study` says in what they depart from the paper's protocol, `PROTOCOL` where in nothing;
+    `experiment` is always the paper's own. `seconds` are of the machine that ran them.
     """
 
     study: str
     experiment: str
     problem: str
     algorithm: str
-    repeat: int
-    run: int
-    cost: float
-    evaluations: int
-    seconds: float
+    repeat: "array[int]" = field(default_factory=lambda: array("q"))
+    run: "array[int]" = field(default_factory=lambda: array("q"))
+    cost: "array[float]" = field(default_factory=lambda: array("d"))
+    evaluations: "array[int]" = field(default_factory=lambda: array("q"))
+    seconds: "array[float]" = field(default_factory=lambda: array("d"))
+
+    def note(self, record: Record) -> None:
+        """Keep what a record ended with."""
+        self.repeat.append(record.task.repeat)
+        self.run.append(record.task.run)
+        self.cost.append(record.cost)
+        self.evaluations.append(record.evaluations)
+        self.seconds.append(record.seconds)
 
 
 class RawRuns:
@@ -37,41 +45,22 @@ class RawRuns:
 
     def __init__(self, besides: Iterable[Study]) -> None:
         """Know what runs besides the protocol."""
-        self._places = places(besides)
-        self._cells: dict[tuple[str, str, str], dict[tuple[int, int], RawRun]] = {}
+        self._places = {each.experiment.name: (each.departs, each.of) for each in besides}
+        self._cells: dict[tuple[str, str, str], RawCell] = {}
 
     def note(self, record: Record) -> None:
         """Keep what a record ended with; a failed one ended with nothing."""
         task = record.task
         if record.reason is None:
-            cell = self._cells.setdefault((task.experiment, task.problem, task.algorithm), {})
-            cell[task.repeat, task.run] = raw_run(record, self._places)
+            key = (task.experiment, task.problem, task.algorithm)
+            if key not in self._cells:
+                place = self._places.get(task.experiment, (PROTOCOL, task.experiment))
+                self._cells[key] = RawCell(*place, task.problem, task.algorithm)
+            self._cells[key].note(record)
 
-    def runs(self) -> tuple[RawRun, ...]:
-        """Return the runs, cells in the order of their first record, by repeat and run in each."""
-        return tuple(run for cell in self._cells.values() for _, run in sorted(cell.items()))
-
-
-def places(besides: Iterable[Study]) -> Mapping[str, Place]:
-    """Return by the name of each study's experiment what it departs in and from which one."""
-    return {study.experiment.name: (study.departs, study.of) for study in besides}
-
-
-def raw_run(record: Record, known: Mapping[str, Place]) -> RawRun:
-    """Return what is published of a record; `known` are the places of studies."""
-    task = record.task
-    study, experiment = known.get(task.experiment, (PROTOCOL, task.experiment))
-    return RawRun(
-        study=study,
-        experiment=experiment,
-        problem=task.problem,
-        algorithm=task.algorithm,
-        repeat=task.repeat,
-        run=task.run,
-        cost=record.cost,
-        evaluations=record.evaluations,
-        seconds=record.seconds,
-    )
+    def cells(self) -> tuple[RawCell, ...]:
+        """Return the cells in the order of their first record."""
+        return tuple(self._cells.values())
 
 
 def ran_as(study: str, experiment: str) -> str:

@@ -1,8 +1,9 @@
 """Tables as they are printed: cells, their places and their units."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import accumulate
 from typing import Self
 
@@ -30,7 +31,7 @@ class Column:
     levels: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True)
 class PublishedTable:
     """A table as the page shows it; cells are found by row name and column name.
 
@@ -86,21 +87,29 @@ class PublishedTable:
             row_units=tuple(units) if any(units) else (),
         )
 
-    @property
+    @cached_property
     def row_names(self) -> tuple[str, ...]:
         """Printed row headings, joined by a space, from top to bottom."""
         return tuple(map(_name, self.rows))
 
-    @property
+    @cached_property
     def column_names(self) -> tuple[str, ...]:
         """Printed column headings without units, from left to right."""
         return tuple(column.name for column in self.columns)
 
+    @cached_property
+    def _row_places(self) -> dict[str, int]:
+        return {name: k for k, name in enumerate(self.row_names)}
+
+    @cached_property
+    def _column_places(self) -> dict[str, int]:
+        return {name: k for k, name in enumerate(self.column_names)}
+
     def __getitem__(self, place: tuple[str, str]) -> Printed:
         """Return the number at (row, column); DeclarationError names the known places."""
         row, column = place
-        i = _position(self.label, "row", row, self.row_names)
-        cell = self.cells[i][_position(self.label, "column", column, self.column_names)]
+        i = _position(self.label, "row", row, self._row_places)
+        cell = self.cells[i][_position(self.label, "column", column, self._column_places)]
         if isinstance(cell, str):
             message = f"{self.label}, row {row!r}, column {column!r}: {cell!r} is not a number"
             raise DeclarationError(message)
@@ -264,8 +273,8 @@ def _refuse_repeats(label: str, names: list[str]) -> None:
             raise DeclarationError(message)
 
 
-def _position(label: str, kind: str, name: str, known: tuple[str, ...]) -> int:
+def _position(label: str, kind: str, name: str, known: Mapping[str, int]) -> int:
     if name not in known:
         message = f"{label} has no {kind} {name!r}; it has {', '.join(map(repr, known))}"
         raise DeclarationError(message)
-    return known.index(name)
+    return known[name]

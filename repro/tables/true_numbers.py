@@ -82,7 +82,8 @@ def span(printed: Printed, *, last: Fraction | None = None, share: Fraction = DO
 
 def is_scientific(table: PublishedTable) -> bool:
     """Say whether any cell of the table is printed with a power of ten."""
-    return any(is_scientific_number(table[place]) for place in table.places())
+    numbers = (cell for row in table.cells for cell in row if isinstance(cell, Printed))
+    return any(map(is_scientific_number, numbers))
 
 
 def is_scientific_number(printed: Printed) -> bool:

@@ -1,4 +1,7 @@
+import sys
 from dataclasses import replace
+
+import pytest
 
 from repro.audit.blocks import blocks
 from repro.model.cells import every_cell
@@ -25,6 +28,25 @@ def test_counts_and_ranks_of_runs_are_no_costs_of_a_block() -> None:
     found = blocks(replace(PAPER, results=(TABLE,), claims=claims))
 
     assert [set(block.cells) for block in found] == [{"mean", "median"}] * 2
+
+
+def test_a_table_is_looked_through_once_whatever_its_blocks(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    looked: list[str] = []
+
+    def looks(table: PublishedTable) -> bool:
+        looked.append(table.label)
+        return False
+
+    # the package has a function of the name of the module
+    monkeypatch.setattr(sys.modules["repro.audit.blocks"], "is_scientific", looks)
+    claims = every_cell(
+        TABLE, of=EXPERIMENT, rows=("problem", "statistic"), columns="algorithm", within=Absolute(0)
+    )
+
+    assert len(blocks(replace(PAPER, results=(TABLE,), claims=claims))) == 2
+    assert looked == ["Table 1"]
 
 
 MAXIMISED = PublishedTable.read("""

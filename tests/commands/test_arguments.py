@@ -2,7 +2,7 @@ import importlib
 
 import pytest
 
-from repro.commands.arguments import DEFAULT_REPEATS, parser
+from repro.commands.arguments import DEFAULT_REPEATS, parsed, parser
 
 NAMES = (
     *("reproduce", "report", "list", "compare", "again", "audit", "certify", "references"),
@@ -16,6 +16,20 @@ def test_command_takes_any_papers_and_knows_what_to_call(name: str) -> None:
 
     assert options.keys == ["doe2021", "roe2022"]
     assert callable(importlib.import_module(f"repro.commands.{options.command}").run)
+
+
+@pytest.mark.parametrize(
+    ("call", "place"),
+    [
+        (("compare", "mine:f", "--runs", "3", "doe2021", "--quiet", "roe2022"), "given"),
+        (("reproduce", "doe2021", "--repeats", "3", "roe2022"), "keys"),
+        (("motion", "a.toml", "--seconds", "3", "b.toml"), "files"),
+    ],
+)
+def test_options_may_stand_between_names(call: tuple[str, ...], place: str) -> None:
+    names = [name for name in call[1:] if not name.startswith("-") and name != "3"]
+
+    assert getattr(parsed(call), place) == names
 
 
 def test_usual_call_needs_no_option() -> None:

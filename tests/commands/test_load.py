@@ -1,4 +1,5 @@
 import json
+import shutil
 import subprocess
 import sys
 import tracemalloc
@@ -19,6 +20,7 @@ from repro.report.frames import FINDING, RUNS
 from repro.runs.plan import plan
 from repro.runs.run import Record
 from repro.runs.store.store import Store
+from tests.commands.forked import bound_call
 from tests.small_papers import PAPER, let_be_known
 from tests.small_stores import ENVIRONMENT, RECORDS, change, filled, with_pages
 
@@ -140,6 +142,39 @@ def test_runs_of_a_repeat_that_is_not_whole_are_published_too(tmp_path: Path) ->
 
     assert len(repro.load(tmp_path / "reports").runs(PAPER.key)) == len(RECORDS) - 1
     assert len(repro.load(tmp_path / "store").runs(PAPER.key)) == len(RECORDS) - 1
+
+
+def test_a_store_that_someone_writes_to_is_read(place: Path) -> None:
+    alone = repro.load(place / "store").runs(PAPER.key)
+
+    with Store(place / "store"):
+        beside = repro.load(place / "store").runs(PAPER.key)
+
+    pd.testing.assert_frame_equal(beside, alone)
+
+
+def test_a_store_that_may_only_be_read_is_read(place: Path, tmp_path: Path) -> None:
+    copy = tmp_path / "store"
+    shutil.copytree(place / "store", copy)
+    before = {path.name: path.stat().st_mtime_ns for path in copy.iterdir()}
+    for path in (*copy.iterdir(), copy):
+        path.chmod(0o555 if path.is_dir() else 0o444)
+    told = (
+        "import pytest, repro; from tests.small_papers import PAPER, let_be_known; "
+        "let_be_known(pytest.MonkeyPatch(), PAPER); "
+        f"print(*repro.load({str(copy)!r}).runs(PAPER.key)['cost'].map(repr))"
+    )
+
+    done = subprocess.run(
+        (*bound_call(), sys.executable, "-c", told),
+        cwd=ROOT, check=False, capture_output=True, text=True,
+    )  # fmt: skip
+    copy.chmod(0o755)
+
+    costs = repro.load(place / "store").runs(PAPER.key)["cost"]
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.split() == [*costs.map(repr)]
+    assert before == {path.name: path.stat().st_mtime_ns for path in copy.iterdir()}
 
 
 def test_failed_runs_have_no_row(tmp_path: Path) -> None:

@@ -357,3 +357,12 @@ def test_a_table_with_headings_under_others_is_read_as_one_with_them_in_its_rows
         ("F1", "WOA", "WOA Mean"), ("F1", "WOA", "WOA Std"),
         ("F1", "PSO", "PSO Mean"), ("F1", "PSO", "PSO Std"),
     ]  # fmt: skip
+
+
+def test_a_number_of_a_long_table_is_found_without_reading_its_rows_again() -> None:
+    rows = "\n".join(f"F{k} | {k}.5" for k in range(3000))
+    table = PublishedTable.read(f"Table 1, p. 1\nfunction || mean\n{rows}")
+    assert table["F0", "mean"].value == 0.5
+
+    assert table.row_names is table.row_names
+    assert [table[place].value for place in table.places()][-1] == 2999.5
