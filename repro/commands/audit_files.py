@@ -36,12 +36,12 @@ def run_with(options: Namespace, *, sheets: SheetReader | None, bounds: BoundsOf
         except InputError as error:
             refused = error.exit_code
             warn(str(error))
-    if options.html and found:
-        write_named(options.html, page(found))
     if options.json:
         show_json([table.as_json() for table in found])
     else:
         sys.stdout.writelines(f"{line}\n" for table in found for line in lines(table))
+    if options.html and found:  # after what is said, which it must not take away
+        write_named(options.html, page(found))
     return refused or (SOME_RUN_FAILED if any(table.proofs for table in found) else 0)
 
 

@@ -43,13 +43,13 @@ def run(options: Namespace) -> int:
         except InputError as error:
             refused = error.exit_code
             warn(str(error))
-    for each in found:
-        _write(options, each)
     if options.json:
         show_json([row(each) for each in found])
     else:
         stream = sys.stderr if printed else sys.stdout
         stream.writelines(f"{line}\n" for each in found for line in lines(each))
+    for each in found:  # after what is said, which a file that cannot be written must not take away
+        _write(options, each)
     return refused
 
 

@@ -104,7 +104,8 @@ def remember(store: Path, found: Sequence[Compared], say: Callable[[str], None])
         path = store / NAME
         say(f"{path} cannot be read; it is set aside as {set_aside(path)}")
     known = {(each.paper, each.name): each for each in (*(before or ()), *found)}
-    text = json.dumps([asdict(each) for each in known.values()], indent=1, ensure_ascii=False)
+    # spelt in ASCII, as the name of a folder may hold bytes that are no text
+    text = json.dumps([asdict(each) for each in known.values()], indent=1)
     write_file(store, NAME, text + "\n", lasting=True)
 
 

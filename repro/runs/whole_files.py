@@ -105,5 +105,5 @@ def write_named(path: Path, content: str) -> None:
     except OSError as error:
         message = f"{path} cannot be written: {error.strerror}"
         raise InputError(message) from None
-    place = Path(os.path.realpath(path))
+    place = Path(os.path.realpath(path)) if path.is_symlink() else path
     write_file(place.parent, place.name, content)

@@ -23,7 +23,8 @@ KINDS = ("html", "md", "json", "csv")
 HOSTILE = ("鲸鱼", "沙猫", "$(touch x)", "`touch x`", "a;b", "'", '"', "-x", "--", "..", "...",
            ".a", "a.", "CON", "results", "Results.json", "index.html", "own", "Own", "OWN",
            "own.md", "own.csv", "café", "cafe\u0301", "ﬁ", "fi", "ＯＷＮ", "ß", "ss", "a" * 300,
-           "a" * 301, "a b", "a-b", "a\tb", "a\nb", "a/b", "\u202egnp", "\x00", "\ud800", " ")  # fmt: skip
+           "a" * 301, "a b", "a-b", "a\tb", "a\nb", "a/b", "\u202egnp", "\x00", "\ud800",
+           " ")  # fmt: skip
 NAME = st.sampled_from(HOSTILE) | st.text(max_size=12)
 
 

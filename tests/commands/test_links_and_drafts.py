@@ -116,14 +116,14 @@ LAYOUT = st.dictionaries(st.sampled_from(PLACES), st.sampled_from([*KINDS]), min
 
 
 @settings(
-    max_examples=1_500 if LONG else 20,
+    max_examples=1_500 if LONG else 8,
     suppress_health_check=[HealthCheck.function_scoped_fixture],
 )
 @given(layout=LAYOUT, first=st.booleans(), command=st.sampled_from([*COMMANDS]))
 @example(layout={"store/compared.json.new": "link to a file"}, first=True, command="compare")
 @example(layout={"store/runs.sqlite": "link to nothing"}, first=True, command="reproduce")
 @example(layout={"store/made-of.json": "pipe"}, first=False, command="list")
-@example(layout={"store/kept": "link to a folder"}, first=False, command="report")
+@example(layout={"store/kept": "link to a folder"}, first=False, command="list")
 @example(layout={"reports/figures": "link to a folder"}, first=True, command="report")
 @example(layout={"reports/glossary.md": "file"}, first=True, command="report")
 @example(layout={"private/own.html": "file"}, first=True, command="compare")
