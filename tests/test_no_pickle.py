@@ -16,7 +16,7 @@ READERS = (
     "repro.runs.store.store",
     "repro.runs.verify",
     "repro.report.results",
-    "repro.report.files",
+    "repro.runs.whole_files",
 )
 
 

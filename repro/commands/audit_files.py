@@ -3,13 +3,13 @@
 import sys
 from argparse import Namespace
 from dataclasses import replace
-from pathlib import Path
 
 from repro.commands.audit_settings import BoundsOf, is_table_file, options_of
 from repro.commands.shown_rows import show_json, warn
 from repro.commands.table_files import SheetReader, read_tables
 from repro.errors import SOME_RUN_FAILED, InputError
 from repro.report.audited_page import page
+from repro.runs.whole_files import write_named
 from repro.tables.audit_options import Guess
 from repro.tables.audit_words import lines
 from repro.tables.auditing import AuditedTable, audited
@@ -36,12 +36,12 @@ def run_with(options: Namespace, *, sheets: SheetReader | None, bounds: BoundsOf
         except InputError as error:
             refused = error.exit_code
             warn(str(error))
-    if options.html and found:
-        _write(options.html, page(found))
     if options.json:
         show_json([table.as_json() for table in found])
     else:
         sys.stdout.writelines(f"{line}\n" for table in found for line in lines(table))
+    if options.html and found:  # after what is said, which it must not take away
+        write_named(options.html, page(found))
     return refused or (SOME_RUN_FAILED if any(table.proofs for table in found) else 0)
 
 
@@ -58,11 +58,3 @@ def audit_file(
         raise InputError(message)
     notes = tuple(Guess(says=note) for note in file.notes)
     return [replace(table, guesses=(*notes, *table.guesses)) for table in found]
-
-
-def _write(path: Path, text: str) -> None:
-    try:
-        path.write_text(text, encoding="utf-8")
-    except OSError as error:
-        message = f"{path}: cannot be written: {error.strerror}"
-        raise InputError(message) from None

@@ -19,9 +19,10 @@ def certify(
 ) -> Certificate:
     """Return what can be proved of a motion in so many seconds.
 
-    `problem` is a `repro.robotics` MinimumTime, MinimumTimeSpline or PolynomialMotion, in rad or
-    any other unit, or the path of a file as `repro motion` reads it. Where the time is too short
-    `minimum` is None and the bounds are as far as they are. Raises InputError for anything else.
+    `problem` is a `repro.robotics` MinimumTime, MinimumTimeSpline, DirectedSpline or
+    PolynomialMotion, in rad or any other unit, or the path of a file as `repro motion` reads it.
+    Where the time is too short `minimum` is None and the bounds are as far as they are. Raises
+    InputError for anything else.
     """
     if isinstance(seconds, bool) or not isinstance(seconds, int | float) or not seconds >= 0.0:
         message = f"seconds {shown(seconds)} must be a number, 0 or more"

@@ -16,7 +16,7 @@ from repro.errors import SOME_RUN_FAILED, InputError
 from repro.judge.comparison import Asked
 from repro.model.paper import Paper
 from repro.report.compared_pages import write_comparison
-from repro.report.files import usable_folder
+from repro.runs.whole_files import usable_folder
 from repro.runs.workers.local import checked_workers
 
 

@@ -21,6 +21,7 @@ from repro.judge.comparison import Asked, Comparison
 from repro.optimisers.held_search import entrant_of
 from repro.report.compared_pages import as_json, compared_files, write_comparison
 from repro.runs.honesty import Warned
+from repro.runs.whole_files import usable_folder
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -62,7 +63,7 @@ class ComparedResult:
 
     def save(self, folder: str | Path) -> Path:
         """Write page, Markdown, JSON and CSV into a folder, and return the page's path."""
-        Path(folder).mkdir(parents=True, exist_ok=True)
+        usable_folder(Path(folder), "the folder")
         called = stem(Path(folder), list(self.comparison.asked.searches))
         return write_comparison(Path(folder), called, self.comparison)
 

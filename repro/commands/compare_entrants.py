@@ -11,6 +11,7 @@ import re
 import sys
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from importlib.machinery import ModuleSpec
+from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -20,9 +21,11 @@ from repro.model.identifiers import anchor
 from repro.model.paper import Paper
 from repro.optimisers.libraries import BASELINES
 from repro.optimisers.users_search import Entrant, entrant
+from repro.runs.whole_files import read_file
 
 _PLAIN = re.compile(r"[A-Za-z0-9][\w.-]*", re.ASCII)
 _TAKEN = ("results", "index", "verdicts", "another-seed")  # files that published pages have
+_KINDS = ("html", "md", "json", "csv")
 _LONGEST = 80  # characters of a file's name
 
 
@@ -132,21 +135,33 @@ def stem(folder: Path, names: Sequence[str]) -> str:
     """Return the name of the files of a comparison: no other comparison in the folder has it."""
     plain = [name if _PLAIN.fullmatch(name) else anchor(name) or "search" for name in names]
     called = "-and-".join(plain)
-    digest = hashlib.sha256("\0".join(names).encode()).hexdigest()[:8]
-    if len(called) > _LONGEST:
+    digest = hashlib.sha256("\0".join(names).encode("utf-8", "surrogatepass")).hexdigest()[:8]
+    if len(called) > _LONGEST or called.lower().partition(".")[0] in _TAKEN:
         called = f"{called[:_LONGEST]}-{digest}"
-    taken = called.lower() in _TAKEN or _names_in(folder / f"{called}.json") not in (None, [*names])
-    return f"{called}-{digest}" if taken else called
+    others = (f"{called}-{digest}-{number}" for number in count(2))
+    for each in (called, f"{called}-{digest}"):
+        if _is_free(folder, each, names):
+            return each
+    return next(each for each in others if _is_free(folder, each, names))
+
+
+def _is_free(folder: Path, called: str, names: Sequence[str]) -> bool:
+    """Return whether files so called are those of these searches, or not there in any case."""
+    before = _names_in(folder / f"{called}.json")
+    if before is not None:
+        return before == [*names]
+    own = {called.lower(), *(f"{called}.{kind}".lower() for kind in _KINDS)}
+    return not folder.is_dir() or own.isdisjoint(path.name.lower() for path in folder.iterdir())
 
 
 def _names_in(path: Path) -> list[str] | None:
     """Return the searches that a comparison's file is of; None where there is no such file."""
     try:
-        content: Any = json.loads(path.read_text(encoding="utf-8"))
+        content: Any = json.loads(read_file(path).decode())
         return [str(name) for name in content["names"]]
-    except OSError:
+    except FileNotFoundError:
         return None
-    except (ValueError, LookupError, TypeError):
+    except (OSError, ValueError, LookupError, TypeError, RecursionError):
         return []
 
 

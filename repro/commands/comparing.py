@@ -54,7 +54,7 @@ def compared(
     made = partial(run_lacking, options=options, environment=partial(_environment, used))
     with Store(options.store, say=options.say) as store:
         failed = made(store, tasks, report=reporting())
-        remember(options.store, _noted(asked, own))
+        remember(options.store, _noted(asked, own), options.say)
         stored = {record.task.key: record for record in store.records(tasks)}
         if aside := _moved(asked, own, stored.values()):
             failed += made(store, aside, report=reporting())
@@ -190,7 +190,7 @@ def _missing(parts: Sequence[Part], asked: Asked, options: Namespace) -> list[Mi
         )  # fmt: skip
         if lacking:
             called = options.called.get(part.paper.key, part.paper.key)
-            at = [] if options.store == STORE else ["--store", str(options.store)]
+            at = [] if options.store == STORE else [f"--store={options.store}"]
             command = shlex.join(["repro", "reproduce", called, *at])
             found.append(Missing(
                 paper=part.paper.key, experiment=name, algorithms=lacking, command=command

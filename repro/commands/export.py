@@ -14,11 +14,11 @@ from repro.commands.shown_rows import warn
 from repro.commands.stored_results import NoRunsError, Stored
 from repro.errors import InputError
 from repro.model.identifiers import anchor
-from repro.report.files import usable_folder, write_file
 from repro.report.frames import csv_text
 from repro.report.ioh_files import ioh_files
 from repro.report.latex_tables import latex_table
 from repro.runs.store.settled import NAME
+from repro.runs.whole_files import usable_folder, write_file
 
 Written = Iterator[Path]
 KINDS = ("findings", "audit", "certificates", "tests", "standings")
@@ -82,7 +82,7 @@ def _frames(results: Results, key: str) -> Iterator[tuple[str, pd.DataFrame]]:
 
 def _csv(results: Results, key: str, to: Path) -> Written:
     for name, frame in _frames(results, key):
-        write_file(to / f"{name}.csv", csv_text(frame))
+        write_file(to, f"{name}.csv", csv_text(frame))
         yield to / f"{name}.csv"
 
 
@@ -95,7 +95,7 @@ def _parquet(results: Results, key: str, to: Path) -> Written:
         texts = {
             column: frame[column].map(_text) for column in frame if frame[column].dtype == object
         }
-        write_file(to / f"{name}.parquet", frame.assign(**texts).to_parquet(index=False))
+        write_file(to, f"{name}.parquet", frame.assign(**texts).to_parquet(index=False))
         yield to / f"{name}.parquet"
 
 
@@ -109,12 +109,12 @@ def _ioh(results: Results, key: str, to: Path) -> Written:
     if not isinstance(source, Stored):  # of this format no other is taken
         message = f"{source.place} is no store"
         raise InputError(message)
-    places: dict[str, Path] = {}
+    places: dict[str, str] = {}
     for experiment, records in source.cells(key):
         name = f"{len(places) + 1}-{anchor(experiment.name)}"
-        folder = places.setdefault(experiment.name, to / f"{key}-ioh" / name)
+        folder = places.setdefault(experiment.name, f"{key}-ioh/{name}")
         for file, text in ioh_files(experiment, records).items():
-            write_file(folder / file, text)
+            write_file(to, f"{folder}/{file}", text)
     yield to / f"{key}-ioh"
 
 
@@ -123,7 +123,7 @@ def _latex(results: Results, key: str, to: Path) -> Written:
     own = found[(found["paper"] == key) & found["table"].notna()]
     for table, findings in own.groupby("table", sort=False):
         name = f"{key}-{anchor(table)}"
-        write_file(to / f"{name}.tex", latex_table(findings, name))
+        write_file(to, f"{name}.tex", latex_table(findings, name))
         yield to / f"{name}.tex"
 
 

@@ -21,6 +21,7 @@ from repro.commands.listing_text import listing_text
 from repro.determinism.trees import installed, tree
 from repro.report.kept import find, keep
 from repro.runs.store.settled import settled_digest
+from repro.runs.whole_files import read_file
 
 FOLDER = "kept"
 GROUP = "repro.papers"
@@ -73,6 +74,6 @@ def _name(store: Path, keys: Sequence[str], repeats: int) -> str:
 
 def _note(store: Path) -> bytes:
     try:
-        return (store / MADE_OF).read_bytes()
+        return read_file(store / MADE_OF)
     except OSError:
         return b""

@@ -7,8 +7,8 @@ from typing import Any
 
 from repro.commands.shown_rows import warn
 from repro.model.paper import Paper
-from repro.report.files import set_aside, write_file
 from repro.runs.plan import Memory, made_of
+from repro.runs.whole_files import read_file, set_aside, write_file
 
 _NAME = "made-of.json"
 _DIGITS = 12  # of a digest: it is compared with one other
@@ -27,7 +27,7 @@ def remember(store: Path, papers: Iterable[Paper]) -> None:
         "parts": pairs,
         "cells": {name: sorted(parts[p] for p in cell.items()) for name, cell in cells.items()},
     }
-    write_file(store / _NAME, json.dumps(content, ensure_ascii=False) + "\n")
+    write_file(store, _NAME, json.dumps(content, ensure_ascii=False) + "\n")
 
 
 def changed_since(store: Path, paper: Paper) -> dict[tuple[str, str, str], tuple[str, ...]]:
@@ -72,7 +72,7 @@ def unreadable(store: Path) -> bool:
 
 def _before(store: Path) -> Cells | None:
     try:
-        content: Any = json.loads((store / _NAME).read_text(encoding="utf-8"))
+        content: Any = json.loads(read_file(store / _NAME).decode())
         parts = [(str(name), str(digest)) for name, digest in content["parts"]]
         return {
             str(name): dict(parts[k] for k in numbers) for name, numbers in content["cells"].items()

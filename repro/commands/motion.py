@@ -17,6 +17,7 @@ from repro.report.own_motion import csv_text, page, row
 from repro.robotics import MinimumTime
 from repro.robotics.proofs.proved import FREE
 from repro.robotics.proofs.watch import Watch
+from repro.runs.whole_files import write_named
 
 PRINTED = "-"  # as the name of a file: to the standard output
 SHARE = 0.25  # of the time allowed, that what limits cost may take besides
@@ -42,13 +43,13 @@ def run(options: Namespace) -> int:
         except InputError as error:
             refused = error.exit_code
             warn(str(error))
-    for each in found:
-        _write(options, each)
     if options.json:
         show_json([row(each) for each in found])
     else:
         stream = sys.stderr if printed else sys.stdout
         stream.writelines(f"{line}\n" for each in found for line in lines(each))
+    for each in found:  # after what is said, which a file that cannot be written must not take away
+        _write(options, each)
     return refused
 
 
@@ -134,8 +135,4 @@ def _to(path: Path, text: str) -> None:
     if str(path) == PRINTED:
         sys.stdout.write(text)
         return
-    try:
-        path.write_text(text, encoding="utf-8")
-    except OSError as error:
-        message = f"{path}: cannot be written: {error.strerror}"
-        raise InputError(message) from None
+    write_named(path, text)

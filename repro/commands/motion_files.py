@@ -17,9 +17,9 @@ from repro.commands.motion_values import (
     text,
 )
 from repro.errors import InputError, ReproError
-from repro.robotics import MinimumTime, MinimumTimeSpline, RestToRestLaw
+from repro.robotics import DirectedSpline, MinimumTime, RestToRestLaw
 from repro.robotics.bsplines import Ends
-from repro.robotics.motion_checks import Rows, numbers, rows
+from repro.robotics.motion_checks import Rows, numbers, rows, shown
 from repro.robotics.own_motion import OwnMotion
 from repro.robotics.polynomial_motion import PolynomialMotion
 from repro.robotics.polynomials import HIGHEST
@@ -30,7 +30,7 @@ KEYS = (
     *("start_velocity", "end_velocity", "durations", "ends", "time_ends"),
     *("robot", "dh", "convention", "kinds"),
 )
-DEGREES = {"cubic": 3, "quintic": 5, "septic": 7}
+DEGREES = {"cubic": 3, "quintic": 5, "septic": 7, **{str(k): k for k in range(3, HIGHEST + 1, 2)}}
 LAWS = "cubic, quintic, septic, an odd degree (9, 11, …) or spline"
 CLOSED_FORM = 9  # highest degree whose polynomial is as good in doubles as it is exactly
 SPLINE = "spline"
@@ -52,12 +52,6 @@ class MotionFile:
     robot: Robot | None
 
     @property
-    def points(self) -> Rows:
-        """The waypoints."""
-        own = self.problem
-        return own.nodes if isinstance(own, MinimumTimeSpline) else own.waypoints
-
-    @property
     def si(self) -> tuple[float, ...]:
         """What one unit of each joint is in rad or m."""
         return tuple(math.radians(1.0) if unit == "deg" else 1.0 for unit in self.units)
@@ -72,6 +66,9 @@ def read_motion(path: Path) -> MotionFile:
         raise InputError(message) from None
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         message = f"{path}: is no TOML: {' '.join(str(error).split())}"
+        raise InputError(message) from None
+    except (ValueError, RecursionError):
+        message = f"{path}: cannot be read: a number of too many digits, or too many lists in lists"
         raise InputError(message) from None
     try:
         return motion_of(given, folder=path.parent, called=path.stem)
@@ -130,8 +127,6 @@ def _degree(given: Mapping[str, Any]) -> int | None:
     if law == SPLINE:
         return None
     degree = DEGREES.get(law, law) if isinstance(law, str) else law
-    if isinstance(degree, str) and degree.isdecimal():
-        degree = int(degree)
     if law is None:
         message = f"law is missing: {LAWS}"
         raise Faulty(message)
@@ -141,7 +136,7 @@ def _degree(given: Mapping[str, Any]) -> int | None:
         or not 3 <= degree <= HIGHEST
         or degree % 2 == 0
     ):
-        message = f"law: {law!r} is not {LAWS}, {HIGHEST} at most"
+        message = f"law: {shown(law)} is not {LAWS}, {HIGHEST} at most"
         raise Faulty(message)
     return degree
 
@@ -169,7 +164,7 @@ def _box(given: Mapping[str, Any]) -> tuple[float, float]:
     own = given["durations"]
     box = numbers(own, called="durations") if isinstance(own, list) else ()
     if len(box) != 2 or not 0.0 < box[0] <= box[1] < math.inf:
-        message = f"durations: {own!r:.60} must be [shortest, longest] in s, 0 < shortest"
+        message = f"durations: {shown(own)} must be [shortest, longest] in s, 0 < shortest"
         raise Faulty(message)
     return box[0], box[1]
 
@@ -216,9 +211,7 @@ def _polynomials(
     )
 
 
-def _spline(
-    given: Mapping[str, Any], points: Rows, limits: Mapping[str, Rows]
-) -> MinimumTimeSpline:
+def _spline(given: Mapping[str, Any], points: Rows, limits: Mapping[str, Rows]) -> OwnMotion:
     joints = len(points[0])
     rule = {
         key: text(given, key, default=default, known=("still", "repeated", "natural"))
@@ -226,19 +219,17 @@ def _spline(
     }
     _check_spline(given, joints, limits, rule["ends"])
     _check_inside(points, limits.get("range", ()))
-    even = {key: _even(limits[key]) for key in ("velocity", "acceleration")}
-    for key, found in even.items():
-        if found is None:
-            message = f"{key}: a spline's lower and upper limits must be alike, as -180 and 180 are"
-            raise Faulty(message)
-    return MinimumTimeSpline(
+    spline = DirectedSpline(
         nodes=points,
-        velocity=even["velocity"] or (),
-        acceleration=even["acceleration"] or (),
+        velocity=limits["velocity"],
+        acceleration=limits["acceleration"],
         durations=_box(given),
         ends=_rule(rule["ends"]),
         time_ends=_rule(rule["time_ends"]),
     )
+    if _even(spline.velocity) and _even(spline.acceleration):
+        return spline.widest
+    return spline
 
 
 def _check_spline(

@@ -8,7 +8,7 @@ from typing import Any
 
 from repro.commands.motion_values import Faulty, text
 from repro.robotics.chain import Chain, Joint, from_dh
-from repro.robotics.motion_checks import Rows, rows
+from repro.robotics.motion_checks import Rows, rows, shown
 from repro.robotics.urdf import read_urdf
 
 OF_A_TABLE = ("convention", "kinds")
@@ -90,7 +90,7 @@ def _tabled(given: Mapping[str, Any], *, unit: str, joints: int) -> Robot:
     kinds = given.get("kinds", ["revolute"] * joints)
     known = ("revolute", "prismatic")
     if not isinstance(kinds, list) or len(kinds) != joints or any(k not in known for k in kinds):
-        message = f"kinds: {kinds!r:.80} must be {joints} of {', '.join(known)}"
+        message = f"kinds: {shown(kinds)} must be {joints} of {', '.join(known)}"
         raise Faulty(message)
     one = math.radians(1.0) if unit == "deg" else 1.0
     chain = from_dh(

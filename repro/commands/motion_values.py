@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from repro.errors import InputError
-from repro.robotics.motion_checks import LARGEST, Rows, numbers, rows
+from repro.robotics.motion_checks import LARGEST, Rows, numbers, rows, shown
 
 
 class Faulty(InputError):  # noqa: N818 (a fault of a file, not of the program)
@@ -20,7 +20,7 @@ def check_keys(given: Iterable[str], known: Iterable[str]) -> None:
         if key not in known:
             near = difflib.get_close_matches(key, known, n=1)
             meant = f", {near[0]!r} perhaps" if near else ""
-            message = f"unknown key {key!r}{meant}; known are {', '.join(known)}"
+            message = f"unknown key {shown(key)}{meant}; known are {', '.join(known)}"
             raise Faulty(message)
 
 
@@ -55,7 +55,7 @@ def text(
         message = f"{key} is missing: it is {among}"
         raise Faulty(message)
     if not isinstance(value, str) or (known and value not in known):
-        message = f"{key}: {value!r} is not {among}"
+        message = f"{key}: {shown(value)} is not {among}"
         raise Faulty(message)
     return value
 
@@ -87,7 +87,7 @@ def pairs(given: Mapping[str, Any], key: str, joints: int) -> Rows | None:
         value = [value] * joints
     if not isinstance(value, list):
         shapes = "[[low, high], …]" if key == "range" else "a number, a list, or [[low, high], …]"
-        message = f"{key}: {value!r:.60} is not {shapes}, one per joint"
+        message = f"{key}: {shown(value)} is not {shapes}, one per joint"
         raise Faulty(message)
     if len(value) != joints:
         message = f"{key}: {len(value)} entries for {joints} joints"
@@ -104,13 +104,13 @@ def pairs(given: Mapping[str, Any], key: str, joints: int) -> Rows | None:
 def _check_pair(key: str, joint: int, pair: tuple[float, ...], given: object) -> None:
     if len(pair) != 2 or not all(map(math.isfinite, pair)):
         meant = "two finite numbers, low and high" if isinstance(given, list) else "a finite number"
-        message = f"{key} of joint {joint}: {given!r:.60} is not {meant}"
+        message = f"{key} of joint {joint}: {shown(given)} is not {meant}"
         raise Faulty(message)
     low, high = pair
     if key == "range" and not low < high:
-        message = f"{key} of joint {joint}: {given!r} must be low < high"
+        message = f"{key} of joint {joint}: {shown(given)} must be low < high"
         raise Faulty(message)
     if key != "range" and not low < 0.0 < high:
         rule = "low < 0 < high" if isinstance(given, list) else "above 0"
-        message = f"{key} of joint {joint}: {given!r} must be {rule}"
+        message = f"{key} of joint {joint}: {shown(given)} must be {rule}"
         raise Faulty(message)

@@ -17,12 +17,12 @@ from repro.commands.unchanged import Written
 from repro.commands.written_pages import Run, write_pages
 from repro.errors import SOME_RUN_FAILED, Terminated
 from repro.report.earlier import check_folder
-from repro.report.files import usable_folder
 from repro.report.results import Json, read_results
 from repro.runs.plan import Task, plan, planned
 from repro.runs.run import Record
 from repro.runs.session import mended
 from repro.runs.store.store import Store
+from repro.runs.whole_files import usable_folder
 from repro.runs.workers.local import checked_workers
 
 

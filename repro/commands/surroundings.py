@@ -12,3 +12,5 @@ def prepare() -> None:
     os.environ["MPLBACKEND"] = "agg"
     if not re.fullmatch(r"0*[1-9][0-9]*", os.environ.get("NUMBA_NUM_THREADS", "1")):
         del os.environ["NUMBA_NUM_THREADS"]
+    if not re.fullmatch(r"[0-9]+", os.environ.get("SOURCE_DATE_EPOCH", "1")):
+        del os.environ["SOURCE_DATE_EPOCH"]  # numpy reads it for a number

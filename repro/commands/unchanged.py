@@ -8,15 +8,17 @@ bytes. Whatever it does not know of counts as a change: without a digest pages a
 
 import hashlib
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
 import repro
 from repro.determinism.provenance import provenance
 from repro.determinism.trees import installed, tree
-from repro.report.files import write_file
+from repro.errors import InputError
 from repro.runs.plan import Task
 from repro.runs.store.store import Store
+from repro.runs.whole_files import read_file, write_file
 
 _NAME = "repro-pages"
 _OF_THE_DAY = ("date", "commit")  # what the provenance of a call says besides its machine
@@ -41,7 +43,7 @@ class Written:
         A store that is damaged since they were written is not the same, and reading it says so.
         """
         try:
-            kept = (store.folder / _NAME).read_text(encoding="utf-8")
+            kept = read_file(store.folder / _NAME).decode()
             runs = store.fingerprint()
             if runs is None or kept != self._digests(runs):
                 return False
@@ -54,11 +56,9 @@ class Written:
         runs = store.fingerprint()
         if runs is None:
             return
-        try:
-            digests = self._digests(runs)
-        except OSError:  # of a file there that may not be read
-            return
-        write_file(store.folder / _NAME, digests)
+        # without it pages are written again: of a file that may not be read, or no place for it
+        with suppress(OSError, InputError):
+            write_file(store.folder, _NAME, self._digests(runs))
 
     def _digests(self, runs: str) -> str:
         """Return the place of the reports, a digest of what they follow from, and one of them."""

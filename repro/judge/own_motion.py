@@ -9,8 +9,8 @@ import numpy as np
 from repro.errors import InputError, NotProvedError
 from repro.judge.certificates import Certificate
 from repro.judge.outside_planners import OutsideReference
-from repro.robotics import MinimumTimeSpline
 from repro.robotics.chain import Chain
+from repro.robotics.directed_spline import Spline
 from repro.robotics.motion_checks import LARGEST, Rows
 from repro.robotics.own_motion import OwnMotion, joints_of
 from repro.robotics.polynomial_motion import KINDS, PolynomialMotion
@@ -63,7 +63,7 @@ def certified(
     if not isinstance(problem, OwnMotion):
         message = (
             f"{type(problem).__name__} is no motion that can be certified; those are "
-            "MinimumTime, MinimumTimeSpline and PolynomialMotion"
+            "MinimumTime, MinimumTimeSpline, DirectedSpline and PolynomialMotion"
         )
         raise InputError(message)
     least = _least(problem, watch, units or ("rad",) * joints_of(problem))
@@ -80,7 +80,7 @@ def outside_range(
     problem: OwnMotion, ranges: Rows | None, units: tuple[str, ...], *, title: str
 ) -> Certificate | None:
     """Return the certificate that no durations keep a spline in the ranges; None where they do."""
-    if ranges is None or not isinstance(problem, MinimumTimeSpline):
+    if ranges is None or not isinstance(problem, Spline):
         return None
     found = leaving(problem, ranges)
     if found is None:
@@ -133,13 +133,10 @@ def _binds(found: Certificate, kind: str, joint: int) -> bool:
 
 def _time_without(problem: OwnMotion, kind: str, joint: int, watch: Watch) -> float | None:
     limits = list(getattr(problem, kind))
-    if isinstance(problem, PolynomialMotion):
-        limits[joint] = tuple(max(-LARGEST, min(limit * FREE, LARGEST)) for limit in limits[joint])
-    else:
-        limits[joint] = min(limits[joint] * FREE, LARGEST)
-    freed: dict[str, Any] = {kind: tuple(limits)}
+    limits[joint] = np.clip(np.array(limits[joint]) * FREE, -LARGEST, LARGEST)
+    freed: dict[str, Any] = {kind: limits}
     without: OwnMotion = replace(problem, **freed)
-    if not isinstance(without, MinimumTimeSpline):
+    if not isinstance(without, Spline):
         return _least(without, watch, ("",) * joints_of(problem)).attained
     try:
         return fastest_found(without, watch)

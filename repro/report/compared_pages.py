@@ -12,12 +12,12 @@ import pandas as pd
 from repro.judge.comparison import Comparison
 from repro.judge.users_search import mean_against_chance
 from repro.report.compared_drawings import figure_files, pictured
-from repro.report.files import write_file
 from repro.report.frames import csv_text
 from repro.report.plain_rows import rows_of_bias, rows_of_standings
 from repro.report.rendering import render
 from repro.report.views.users_search import users_search_view
 from repro.runs.run import Record
+from repro.runs.whole_files import write_file
 
 SCHEMA = 1
 RUN = ("paper", "experiment", "problem", "algorithm", "repeat", "run", "cost", "evaluations",
@@ -54,9 +54,13 @@ def compared_files(found: Comparison, called: str = "") -> dict[str, str]:
 
 
 def write_comparison(folder: Path, called: str, found: Comparison) -> Path:
-    """Write a comparison in every form, and return the page's path."""
-    for name, text in compared_files(found, called).items():
-        write_file(folder / name, text)
+    """Write a comparison in every form, and return the page's path.
+
+    JSON is first: by it a call after one that was cut short knows whose files these are.
+    """
+    files = compared_files(found, called)
+    for name in sorted(files, key=lambda name: name != f"{called}.json"):
+        write_file(folder, name, files[name])
     return folder / f"{called}.html"
 
 

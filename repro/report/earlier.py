@@ -6,16 +6,17 @@ that would lose what it says of others refuses.
 """
 
 import json
+import os
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
 from repro.errors import InputError
-from repro.report.files import set_aside
 from repro.report.pages import ANOTHER_SEED
 from repro.report.results import PROVENANCE, SCHEMA
 from repro.report.rooms import check_names, pages_of_paper
 from repro.report.verdict_pages import VERDICTS
+from repro.runs.whole_files import read_file, set_aside
 
 RESULTS = "results.json"
 _PAGES = ("index.html", "index.md", f"{VERDICTS}.html", f"{VERDICTS}.md", PROVENANCE)
@@ -35,13 +36,7 @@ def check_folder(folder: Path, chosen: Iterable[str], known: Iterable[str]) -> N
     keys = list(chosen)
     check_names((*known, *keys))
     pages = (*_PAGES, *(page for key in keys for page in pages_of_paper(key)))
-    taken = [name for name in pages if (folder / name).exists()]
-    if taken and not _is_ours(folder):
-        message = (
-            f"{folder / taken[0]} is not of repro, as no results stand beside it: "
-            "name another folder for the pages"
-        )
-        raise InputError(message)
+    refuse_foreign(folder, pages)
     others = [key for key in dict.fromkeys(known) if key not in keys]
     for path, reason in unreadable(folder) if others else ():
         message = (
@@ -49,6 +44,22 @@ def check_folder(folder: Path, chosen: Iterable[str], known: Iterable[str]) -> N
             "lost: mend it, or ask for all papers, which sets it aside"
         )
         raise InputError(message)
+
+
+def refuse_foreign(folder: Path, names: Iterable[str]) -> None:
+    """Raise InputError where one of these files would replace what is not of repro."""
+    ours = _is_ours(folder)
+    for name in names:
+        path = folder / name
+        if path.is_dir() and not path.is_symlink():
+            message = f"{path} is a folder, and a file of this name is to be written"
+            raise InputError(message)
+        if not ours and os.path.lexists(path):
+            message = (
+                f"{path} is not of repro, as no results stand beside it: "
+                "name another folder for the pages"
+            )
+            raise InputError(message)
 
 
 def keep_earlier(
@@ -77,7 +88,7 @@ def _is_ours(folder: Path) -> bool:
     if (folder / _SIGN).exists():
         return True
     try:
-        return _MARK in (folder / RESULTS).read_bytes()
+        return _MARK in read_file(folder / RESULTS)
     except OSError:
         return False
 
@@ -85,7 +96,7 @@ def _is_ours(folder: Path) -> bool:
 def _fault(path: Path, fault_of: Callable[[dict[str, Any]], str]) -> str:
     """Return what is wrong with a file of JSON, "" for one that is right or not there."""
     try:
-        content = json.loads(path.read_text(encoding="utf-8"))
+        content = json.loads(read_file(path).decode())
     except (FileNotFoundError, NotADirectoryError):
         return ""
     except OSError as error:

@@ -16,16 +16,25 @@ PAGE = "glossary"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Term:
-    """A word with what it means; `see` are other words that explain it."""
+    """A word with what it means; `see` are other words that explain it.
+
+    `forms` is how pages write it where they mean this; None is the name, also with an s.
+    """
 
     name: str
     says: str
     see: tuple[str, ...] = ()
+    forms: tuple[str, ...] | None = None
 
     @property
     def anchor(self) -> str:
         """Its place on the page."""
         return anchor(self.name)
+
+    @property
+    def written(self) -> tuple[str, ...]:
+        """What is a use of it on a page."""
+        return (self.name, f"{self.name}s") if self.forms is None else self.forms
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -41,7 +50,15 @@ def glossary() -> Glossary:
     """Return what glossary.toml says."""
     path = files("repro.report") / "templates" / "glossary.toml"
     content = tomllib.loads(path.read_text(encoding="utf-8"))
-    terms = (Term(**{**each, "see": tuple(each.get("see", ()))}) for each in content["term"])
+    terms = (
+        Term(
+            name=each["name"],
+            says=each["says"],
+            see=tuple(each.get("see", ())),
+            forms=tuple(each["forms"]) if "forms" in each else None,
+        )
+        for each in content["term"]
+    )
     return Glossary(
         terms=tuple(sorted(terms, key=lambda term: term.name.lower())), rooms=content["rooms"]
     )

@@ -10,11 +10,12 @@ import numpy as np
 
 from repro.model.experiment import Experiment
 from repro.model.identifiers import anchor
-from repro.report.files import Texts
 from repro.runs.run import Record
 
 VERSION = "0.3.5"
 COLUMNS = ("evaluations", "raw_y")
+Texts = dict[str, str]
+"""Texts of files by their place in a folder."""
 
 
 def ioh_files(experiment: Experiment, records: Sequence[Record]) -> Texts:

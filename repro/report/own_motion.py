@@ -13,9 +13,8 @@ from repro.report.drawings.arm_motion import SAMPLES, Moving
 from repro.report.drawings.chain_postures import postures
 from repro.report.drawings.draw import Drawing, drawing
 from repro.report.drawings.own_motion import joints_plot
-from repro.robotics import MinimumTimeSpline
 from repro.robotics.chain import Chain
-from repro.robotics.own_motion import increasing, sampled
+from repro.robotics.own_motion import increasing, points_of, sampled
 from repro.robotics.polynomial_motion import KINDS
 from repro.robotics.whereabouts import below
 
@@ -74,8 +73,6 @@ def _drawings(found: OwnResult) -> Iterator[Drawing]:
 
 def _arm(found: OwnResult, chain: Chain) -> Drawing:
     motion = _moving(found, chain)
-    own = found.problem
-    points = own.nodes if isinstance(own, MinimumTimeSpline) else own.waypoints
     units = [
         (name, "mm" if unit == "m" else "°")
         for name, unit in zip(found.names, found.units, strict=True)
@@ -83,7 +80,7 @@ def _arm(found: OwnResult, chain: Chain) -> Drawing:
     return arm_drawing(
         f"{found.title}: the arm",
         [motion],
-        postures(chain, np.array(points) * np.array(found.si)),
+        postures(chain, np.array(points_of(found.problem)) * np.array(found.si)),
         joints=units,
         notes=tuple(_below_base(motion)),
     )

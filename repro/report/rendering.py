@@ -13,8 +13,10 @@ from repro.model.identifiers import anchor
 from repro.model.measures.measure import TABLES
 from repro.report.drawings.arm_viewer import packed_viewer, viewer_licence
 from repro.report.escapes import markdown_text
+from repro.report.first_uses import first_uses, with_sources
 from repro.report.formulas import dollars, equation_links, formula_anchor, mathml, powers_of_ten
 from repro.report.glossary import term_link
+from repro.report.packing import packed
 from repro.report.rooms import OURS, address, page_of, to
 from repro.report.run_files import place_of_runs
 from repro.report.verdict_pages import VERDICTS
@@ -28,7 +30,11 @@ from repro.report.words import (
     command,
     markdown_cell,
     number,
+    seconds_raised,
 )
+
+LINKED = ("paper", "index", VERDICTS)
+"""Pages beside which the glossary stands."""
 
 
 @cache
@@ -45,6 +51,9 @@ def _templates(*, markdown: bool) -> Environment:
     environment.filters |= {
         "number": number,
         "raised": powers_of_ten,
+        "sources": partial(with_sources, markdown=markdown),
+        "packed": packed,
+        "seconds_raised": seconds_raised,
         "mathml": mathml,
         "formula_anchor": formula_anchor,
         "equation_links": equation_links,
@@ -65,6 +74,7 @@ def _templates(*, markdown: bool) -> Environment:
     environment.globals |= {"IN_WORDS": IN_WORDS}
     environment.globals |= {"NOT_REPRODUCIBLE": Verdict.NOT_REPRODUCIBLE}
     environment.globals |= {"term": partial(term_link, markdown=markdown)}
+    environment.globals |= {"first_uses": partial(first_uses, markdown=markdown)}
     environment.globals |= {"RESULTS": RESULTS, "IMPOSSIBLE": IMPOSSIBLE}
     return environment
 
@@ -75,7 +85,11 @@ def _is_section(name: str) -> bool:
 
 def render(name: str, context: Mapping[str, object]) -> str:
     """Return a page made of a template and what it shows."""
-    return _templates(markdown=name.endswith(".md")).get_template(f"{name}.jinja").render(context)
+    markdown = name.endswith(".md")
+    page = _templates(markdown=markdown).get_template(f"{name}.jinja").render(context)
+    if name.partition(".")[0] in LINKED:
+        return first_uses(page, markdown=markdown).page
+    return with_sources(page, markdown=markdown) if name.endswith((".html", ".md")) else page
 
 
 def _without_tags(value: object) -> object:

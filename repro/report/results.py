@@ -15,6 +15,7 @@ from repro.model.assumptions import Assumption
 from repro.report.calibration import calibration
 from repro.report.cited import cited
 from repro.report.plain_rows import rows_of_standings, rows_of_tests
+from repro.runs.whole_files import read_file
 from repro.tables.rows import Grade
 
 SCHEMA = 2
@@ -170,8 +171,8 @@ def read_results_of_any_age(path: Path) -> Json | None:
 def read_json(path: Path) -> Json | None:
     """Return the object that a file holds, or None where there is none."""
     try:
-        content = json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError):
+        content = json.loads(read_file(path).decode())
+    except (OSError, ValueError, RecursionError):
         return None
     return content if isinstance(content, dict) else None
 

@@ -114,6 +114,11 @@ def raised(text: object) -> Markup:
     return Markup(re.sub(r"10\^(-?)(\d+)", _power, str(escape(text))))  # noqa: S704 (escaped)
 
 
+def seconds_raised(text: str) -> str:
+    """Return text with rad/s^2 as rad/s²."""
+    return re.sub(r"(?<=/s)\^([234])\b", lambda power: "²³⁴"[int(power[1]) - 2], text)
+
+
 def _power(match: re.Match[str]) -> str:
     return f"10<sup>{'−' if match[1] else ''}{match[2]}</sup>"
 

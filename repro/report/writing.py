@@ -1,9 +1,10 @@
 """Writing the reports folder: the files of papers, the index and results.json."""
 
 from collections.abc import Iterable, Sequence
+from contextlib import suppress
 from pathlib import Path
 
-from repro.report.files import remove_ours, usable_folder, write_file
+from repro.report.earlier import RESULTS, refuse_foreign
 from repro.report.pages import ANOTHER_SEED, index_files, verdict_files
 from repro.report.results import (
     PROVENANCE,
@@ -17,6 +18,10 @@ from repro.report.results import (
     results_text,
 )
 from repro.report.rooms import OURS, check_apart, pages_of_paper
+from repro.runs.whole_files import read_file, usable_folder, write_file
+
+_TOP = 1000  # bytes within which a page says what made it
+_MARK = f'<meta name="generator" content="{OURS}">'.encode()
 
 
 def write_report(papers: Iterable[Made], folder: Path, known: Sequence[str]) -> Json:
@@ -31,8 +36,8 @@ def write_report(papers: Iterable[Made], folder: Path, known: Sequence[str]) -> 
         check_apart(files, each.files, key)
         files |= each.files
     entries = [each.entry for each in made.values()]
-    results = merged(entries, read_results(folder / "results.json"), known)
-    files["results.json"] = results_text(results)
+    results = merged(entries, read_results(folder / RESULTS), known)
+    files[RESULTS] = results_text(results)
     kept = [entry["key"] for entry in results["papers"]]
     fresh = {key: each.provenance for key, each in made.items()}
     provenance = merged_provenance(fresh, read_json(folder / PROVENANCE), kept)
@@ -40,8 +45,17 @@ def write_report(papers: Iterable[Made], folder: Path, known: Sequence[str]) -> 
     # pages of papers that were made by another call stay, and so does what those are called
     all_called = {key: each.get("called", "") for key, each in provenance["papers"].items()}
     files |= index_files(results, read_json(folder / ANOTHER_SEED), all_called) | verdict_files()
-    for name, content in files.items():
-        write_file(folder / name, content)
+    refuse_foreign(folder, files)
+    # the results first: by them a call after one that was cut short knows the folder for ours
+    for name in sorted(files, key=lambda name: name != RESULTS):
+        write_file(folder, name, files[name])
     for page in (page for key in made for page in pages_of_paper(key) if page not in files):
-        remove_ours(folder / page, f'<meta name="generator" content="{OURS}">')
+        _remove_ours(folder / page)
     return results
+
+
+def _remove_ours(page: Path) -> None:
+    """Remove a page that is no longer made, if it carries our mark near its top; no other file."""
+    with suppress(OSError):
+        if not page.is_symlink() and _MARK in read_file(page)[:_TOP]:
+            page.unlink()

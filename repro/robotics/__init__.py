@@ -1,5 +1,6 @@
 """Arms and motions: D-H kinematics, polynomials, minimum-time and path-fitting problems."""
 
+from repro.robotics.directed_spline import DirectedSpline
 from repro.robotics.joint_axes import freedoms, jacobian
 from repro.robotics.kinematics import Convention, dh_rows, forward_kinematics
 from repro.robotics.law import Law
@@ -12,6 +13,7 @@ from repro.robotics.spline_motion import MinimumTimeSpline
 
 __all__ = [
     "Convention",
+    "DirectedSpline",
     "Law",
     "MinimumTime",
     "MinimumTimeSpline",

@@ -111,6 +111,18 @@ def check_motion(
         raise DeclarationError(message)
 
 
+def limit_pairs(values: Any, *, called: str) -> Rows:  # noqa: ANN401 (checked here)
+    """Return a list of limits as pairs; DeclarationError unless each is lowest < 0 < highest."""
+    pairs = rows(values, called=called)
+    for joint, pair in enumerate(pairs, start=1):
+        if len(pair) != 2 or not pair[0] < 0.0 < pair[1]:
+            message = f"{called} of joint {joint}: {shown(pair)} must be lowest < 0 < highest"
+            raise DeclarationError(message)
+        for limit in pair:
+            check_limit(limit, called=f"{called} of joint {joint}")
+    return pairs
+
+
 def check_limit(value: float, *, called: str) -> None:
     """Raise DeclarationError for a limit so near to 0 that products of it are no doubles."""
     if abs(value) < 1.0 / LARGEST:

@@ -21,9 +21,9 @@ from repro.errors import DeclarationError
 from repro.robotics.bsplines import solve
 from repro.robotics.motion_checks import (
     Rows,
-    check_limit,
     check_motion,
     checked_durations,
+    limit_pairs,
     numbers,
     rows,
 )
@@ -90,16 +90,14 @@ class PolynomialMotion:
         if len(pairs) != self.joints or any(len(pair) != 2 for pair in pairs):
             message = f"{kind}: {self.joints} joints need {self.joints} pairs of lowest and highest"
             raise DeclarationError(message)
+        if kind != "range":
+            return limit_pairs(pairs, called=kind)
         for joint, (low, high) in enumerate(pairs, start=1):
-            if not (low < high if kind == "range" else low < 0.0 < high):
-                rule = "lowest < highest" if kind == "range" else "lowest < 0 < highest"
-                message = f"{kind} of joint {joint}: ({low!r}, {high!r}) must be {rule}"
+            if not low < high:
+                message = f"{kind} of joint {joint}: ({low!r}, {high!r}) must be lowest < highest"
                 raise DeclarationError(message)
-            for limit in (low, high) if kind != "range" else ():
-                check_limit(limit, called=f"{kind} of joint {joint}")
-            places = enumerate((point[joint - 1] for point in self.waypoints), start=1)
-            for place, value in places if kind == "range" else ():
-                if not low <= value <= high:
+            for place, point in enumerate(self.waypoints, start=1):
+                if not low <= (value := point[joint - 1]) <= high:
                     message = (
                         f"waypoints: joint {joint} of number {place} is {value!r}, outside its "
                         f"range from {low!r} to {high!r}"
@@ -251,7 +249,8 @@ def at_shares(coefficients: Vector, share: Vector) -> Vector:
     rest = np.tile(coefficients[:, None], len(share))
     while len(rest) > 1:
         rest = rest[:-1] * (1.0 - share) + rest[1:] * share
-    return np.asarray(rest[0])
+    # no value is beyond the coefficients but by rounding, which a start at a limit would not bear
+    return np.asarray(np.clip(rest[0], coefficients.min(), coefficients.max()))
 
 
 def _turns(coefficients: Vector) -> Vector:

@@ -81,6 +81,26 @@ def hardest(n0, n1, n2, s0, s1, s2):
 
 
 @jit
+def extremes(n0, n1, n2, s0, s1, s2, power):
+    """Return the least and greatest N/s^power on [0, 1], N quadratic; s must be positive there."""
+    k0 = n1 * s0 - power * n0 * s1
+    k1 = 2.0 * (n2 * s0 - power * n0 * s2) + (1.0 - power) * n1 * s1
+    k2 = (1.0 - 2.0 * power) * n1 * s2 + (2.0 - power) * n2 * s1
+    k3 = 2.0 * (1.0 - power) * n2 * s2
+    first, second = roots(k1, 2.0 * k2, 3.0 * k3)
+    least_found = most_found = n0 / s0**power
+    start = 0.0
+    for end in (min(first, second), max(first, second), 1.0):  # as in `hardest`
+        if not start < end <= 1.0:
+            continue
+        for u in (_crossing(k0, k1, k2, k3, start, end), end):
+            value = (n0 + u * (n1 + u * n2)) / (s0 + u * (s1 + u * s2)) ** power
+            least_found, most_found = min(least_found, value), max(most_found, value)
+        start = end
+    return least_found, most_found
+
+
+@jit
 def _crossing(k0, k1, k2, k3, start, end):
     """Return where a cubic that is monotone from `start` to `end` changes sign, else `end`."""
     rising = k0 + start * (k1 + start * (k2 + start * k3)) < 0.0

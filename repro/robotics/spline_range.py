@@ -3,13 +3,13 @@
 import numpy as np
 
 from repro.robotics.bsplines import spans
+from repro.robotics.directed_spline import Spline
 from repro.robotics.motion_checks import Rows
-from repro.robotics.spline_motion import MinimumTimeSpline
 
 ROUNDING = 1e-12  # share of a range
 
 
-def leaving(problem: MinimumTimeSpline, ranges: Rows) -> tuple[int, int, float] | None:
+def leaving(problem: Spline, ranges: Rows) -> tuple[int, int, float] | None:
     """Return segment, joint and farthest value where the path leaves a range most; None if not."""
     found, most = None, ROUNDING
     path = spans(problem.nodes, problem.ends)

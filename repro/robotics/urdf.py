@@ -25,7 +25,11 @@ def read_urdf(path: Path) -> tuple[Chain, dict[str, Rows]]:
     The limits are `velocity` and `range`, each only where every joint has it. Raises InputError
     for a file that cannot be read, or whose joints that move are no single chain.
     """
-    if not path.is_file():
+    try:
+        there = path.is_file()
+    except OSError:  # a name that no file can have
+        there = False
+    if not there:
         message = f"robot {path}: there is no such file"
         raise InputError(message)
     try:

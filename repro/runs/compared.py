@@ -15,6 +15,7 @@ from repro.runs.moved_optima import SHARES, centred, shift_name, shifted
 from repro.runs.plan import Task, plan
 from repro.runs.plan import tasks_of as tasks_of_experiments
 from repro.runs.studies import study_name
+from repro.runs.whole_files import read_file, set_aside, write_file
 
 NAME = "compared.json"
 
@@ -93,25 +94,33 @@ def moved_tasks(own: Paper) -> tuple[Task, ...]:
     return tuple(tasks_of_experiments(own, [(experiment, 1) for experiment in moved(own)]))
 
 
-def remember(store: Path, found: Sequence[Compared]) -> None:
-    """Keep beside a store what was compared; the latest of one name is what is known of it."""
-    known = {(each.paper, each.name): each for each in (*recalled(store), *found)}
-    text = json.dumps([asdict(each) for each in known.values()], indent=1, ensure_ascii=False)
-    aside = store / f"{NAME}.new"
-    aside.write_text(text + "\n", encoding="utf-8")
-    aside.replace(store / NAME)
+def remember(store: Path, found: Sequence[Compared], say: Callable[[str], None]) -> None:
+    """Keep beside a store what was compared; the latest of one name is what is known of it.
+
+    A file that cannot be read is set aside, with a line to `say`.
+    """
+    before = recalled(store)
+    if before is None:
+        path = store / NAME
+        say(f"{path} cannot be read; it is set aside as {set_aside(path)}")
+    known = {(each.paper, each.name): each for each in (*(before or ()), *found)}
+    # spelt in ASCII, as the name of a folder may hold bytes that are no text
+    text = json.dumps([asdict(each) for each in known.values()], indent=1)
+    write_file(store, NAME, text + "\n", lasting=True)
 
 
-def recalled(store: Path) -> list[Compared]:
-    """Return what was compared with a store; nothing where that is not known."""
+def recalled(store: Path) -> list[Compared] | None:
+    """Return what was compared with a store; None where a file says so that cannot be read."""
     try:
-        rows: Any = json.loads((store / NAME).read_text(encoding="utf-8"))
+        rows: Any = json.loads(read_file(store / NAME).decode())
         return [
             Compared(**{**row, **{k: tuple(row[k]) for k in ("experiments", "problems")}})
             for row in rows
         ]
-    except (OSError, ValueError, LookupError, TypeError):
-        return []  # the runs stay what they are: they can be compared again
+    except FileNotFoundError:
+        return []
+    except (OSError, ValueError, LookupError, TypeError, RecursionError):
+        return None
 
 
 def tasks_of(
@@ -125,7 +134,10 @@ def tasks_of(
     `load` returns the search at a place, and one that it cannot find is named by `say`.
     """
     declared = {paper.key: paper for paper in papers}
-    for each in recalled(store):
+    found_before = recalled(store)
+    if found_before is None:
+        say(f"{store / NAME} cannot be read: searches that were compared are not known")
+    for each in found_before or ():
         if each.paper not in declared:
             continue
         try:

@@ -73,3 +73,20 @@ FAINT_MARKS = """() => {
   }
   return [...faint];
 }"""
+# headings of what has a unit, without one
+UNITLESS = """() => {
+  const quantity = /\\b(time|duration|velocity|speed|acceleration|jerk|angle|length)s?\\b/i;
+  return [...document.querySelectorAll("main thead th")].map(each => each.textContent)
+    .filter(text => quantity.test(text) && !/\\[.+\\]/.test(text));
+}"""
+# the lines of cells on a phone begin right of their names, or below them
+UNDER_NAMES = """() => {
+  const under = cell => {
+    const all = document.createRange();
+    all.selectNodeContents(cell);
+    const lines = [...all.getClientRects()].filter(line => line.width);
+    return lines.some(line => line.left < cell.getBoundingClientRect().left + 90);
+  };
+  return [...document.querySelectorAll(".stacked:not(.prose) td[data-name]")].filter(under)
+    .map(cell => cell.outerHTML.slice(0, 80));
+}"""

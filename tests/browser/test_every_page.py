@@ -135,6 +135,19 @@ def test_on_a_phone_nothing_with_a_verdict_needs_a_search_sideways(phone: Rooms)
         assert one.page.evaluate(ask.BEYOND) == [], name
 
 
+def test_on_a_phone_a_cell_stands_beside_its_name_and_a_claim_above_all_that_is_said_of_it(
+    phone: Rooms,
+) -> None:
+    for name, one in phone.items():
+        assert one.page.evaluate(ask.UNDER_NAMES) == [], name
+        assert all(claim.is_visible() for claim in one.page.locator("td.claim").all()), name
+
+
+def test_headings_of_what_has_a_unit_name_it(light: Rooms) -> None:
+    for name, one in light.items():
+        assert one.page.evaluate(ask.UNITLESS) == [], name
+
+
 def test_letters_of_figures_are_legible_on_a_phone(phone: Rooms) -> None:
     for name, one in phone.items():
         assert min(one.page.evaluate(ask.LETTERS), default=PHONE_TEXT) >= PHONE_TEXT, name

@@ -106,7 +106,7 @@ def test_minimum_and_function_bound_the_values(
         (["--function", "F1=spehre"], "unknown function 'spehre'; known: "),
         (["--function", "F1=sphere@x"], "its dimension 'x' is no whole number"),
         (["--alpha", "2"], "alpha 2.0 does not lie between 0 and 1"),
-        (["--html", "/nowhere/page.html"], "/nowhere/page.html: cannot be written"),
+        (["--html", "/nowhere/page.html"], "/nowhere/page.html cannot be written"),
     ],
 )
 def test_wrong_option_is_one_line(

@@ -168,6 +168,18 @@ def test_two_names_are_two_pages(run: Run) -> None:
     assert not Path("reports-private/results.json").exists()
 
 
+def test_a_file_beside_a_search_is_not_taken_for_what_we_import(
+    run: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv("PYTHONPATH", raising=False)  # which may name the folder itself
+    for name in ("repro", "numpy"):
+        Path(f"{name}.py").write_text("raise SystemExit(9)")
+
+    code, _, err = run("mine:guess", "--name", "own", "--runs", "1", "--no-centre-bias")
+
+    assert code == 0, err
+
+
 def test_search_that_never_returns_is_a_failed_run(run: Run) -> None:
     code, _, err = run("mine:never", "--timeout", "0.3", "--runs", "1")
 

@@ -13,6 +13,7 @@ from repro.optimisers import WOA
 from tests.commands.own_searches import Run, results, standing_in
 from tests.small_papers import EXPERIMENT, PAPER
 from tests.small_stores import change
+from tests.unlinked import unlinked
 
 MODULE = """
 import numpy as np
@@ -60,11 +61,12 @@ def test_search_drawn_to_the_centre_is_told_from_one_that_is_not(run: Run) -> No
     assert code == 0
     assert flagged == {"fair": {False}, "biased": {True}}
     assert {(r["shift"], r["runs"]) for r in rows} == {(0.1, 3), (0.2, 3), (0.4, 3)}
-    page = Path("reports-private/fair-and-biased.html").read_text()
+    page = unlinked(Path("reports-private/fair-and-biased.html").read_text())
     assert "Biased to the centre by the rule below: <strong>biased</strong>" in page
     assert "on F1, F9 moved" in page
     assert "Not moved, because the optimum lies off the centre already: bowl" in page
-    assert "Biased to the centre: biased." in Path("reports-private/fair-and-biased.md").read_text()
+    twin = Path("reports-private/fair-and-biased.md").read_text()
+    assert "Biased to the centre: biased." in unlinked(twin)
 
 
 def test_moved_optima_are_narrowed_as_the_rest_and_verified(run: Run) -> None:

@@ -104,7 +104,7 @@ print(*sys.modules)
     loaded = {name for name in found.stdout.split() if name.startswith("repro.")}
     of_others = {name for name in loaded if name.split(".")[1] in OTHER_ROOMS}
     assert "repro.runs.plan" in loaded
-    assert of_others == {"repro.report", "repro.report.files", "repro.report.kept"}  # they keep
+    assert of_others == {"repro.report", "repro.report.kept"}  # they keep
 
 
 def test_a_change_in_another_room_leaves_the_listing(

@@ -17,7 +17,13 @@ from repro.__main__ import main
 from repro.commands.motion_files import read_motion
 from repro.commands.motion_progress import telling
 from repro.errors import InputError
-from repro.robotics import MinimumTime, MinimumTimeSpline, PolynomialMotion, quintic
+from repro.robotics import (
+    DirectedSpline,
+    MinimumTime,
+    MinimumTimeSpline,
+    PolynomialMotion,
+    quintic,
+)
 from repro.robotics.proofs.proved import FREE
 
 PICK = {
@@ -265,7 +271,6 @@ def test_free_durations_that_nothing_obeys_are_no_box_and_the_segment_at_fault_a
         ({"ends": '"still"'}, "ends is of a spline alone; law is 'quintic'"),
         ({"law": '"spline"'}, "jerk: a spline's is not certified"),
         ({**SPLINE, "start_velocity": "[1, 0, 0]"}, "start_velocity: a spline has none of its own"),
-        ({**SPLINE, "velocity": "[[-1, 2], [-1, 1], [-1, 1]]"}, "must be alike"),
         ({**SPLINE, "ends": '"free"'}, "ends: 'free' is not one of still, repeated, natural"),
         ({"convention": '"standard"'}, "convention belongs to a D-H table"),
         ({"dh": "[[0, 1, 2]]"}, "dh: 3 joints need 3 rows"),
@@ -317,6 +322,9 @@ def test_one_file_is_written_for_one_motion(
         ({"start_velocity": "[0, 1, 0]"}, PolynomialMotion),
         ({"law": "11"}, PolynomialMotion),
         (SPLINE, MinimumTimeSpline),
+        ({**SPLINE, "velocity": "[[-180, 180], [-180, 180], [-180, 180]]"}, MinimumTimeSpline),
+        ({**SPLINE, "velocity": "[[-90, 180], [-180, 180], [-180, 180]]"}, DirectedSpline),
+        ({**SPLINE, "acceleration": "[[-90, 180], [-90, 90], [-9, 9]]"}, DirectedSpline),
     ],
 )
 def test_problem_is_the_plainest_that_says_it(
@@ -326,6 +334,29 @@ def test_problem_is_the_plainest_that_says_it(
 
     assert type(file.problem) is kind
     assert file.problem.durations == FREE
+
+
+def test_spline_with_limits_by_direction_is_certified_sampled_and_drawn(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    limits = {
+        "velocity": "[[-30, 180], [-90, 180], [-180, 180]]",
+        "acceleration": "[200, 300, 600]",
+    }
+    path = write(tmp_path, **SPLINE, **limits, dh=TABLE)
+    samples, page = tmp_path / "out.csv", tmp_path / "out.html"
+    code, out, _ = asked(capsys, path, "--csv", samples, "--html", page)
+    values = np.genfromtxt(samples, delimiter=",", names=True)
+    speed = np.degrees(values["velocitiesjoint_1"])
+
+    assert code == 0
+    assert "pick and place: minimum " in out
+    assert "velocity of joint 1 (limit -30 deg/s)" in out
+    assert "lost to velocity of joint 1: " in out
+    assert speed.min() == pytest.approx(-30, abs=0.5)
+    assert -30 <= speed.min() < speed.max() <= 180
+    assert speed.max() > 30
+    assert page.read_text(encoding="utf-8").count("<svg") == 2
 
 
 def test_spline_that_leaves_a_range_between_waypoints_is_said_to_obey_with_no_durations(

@@ -14,6 +14,7 @@ from repro.commands.certify_problem import certify
 from repro.commands.motion_files import MotionFile, read_motion
 from repro.judge.outside_planners import ruckig_time, toppra_time
 from repro.robotics import MinimumTime, MinimumTimeSpline
+from repro.robotics.own_motion import points_of
 from repro.robotics.polynomial_motion import PolynomialMotion
 from repro.robotics.proofs.proved import FREE
 
@@ -169,7 +170,7 @@ def test_file_says_whose_motion_it_is(path: Path) -> None:
     assert path.read_text(encoding="utf-8").startswith("# ")
     assert file.title != path.stem
     assert file.problem.durations == FREE or "durations" in path.read_text(encoding="utf-8")
-    assert all(start != end for start, end in pairwise(file.points))
+    assert all(start != end for start, end in pairwise(points_of(file.problem)))
 
 
 def test_there_are_ten_of_them() -> None:

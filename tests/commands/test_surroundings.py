@@ -94,6 +94,7 @@ def test_odd_variables_all_at_once_stop_nothing(tmp_path: Path) -> None:
         **dict.fromkeys(("OMP_NUM_THREADS", "NUMBA_NUM_THREADS", "LINES"), "0"),
         "NO_COLOR": "1",
         "PYTHONOPTIMIZE": "2",
+        "SOURCE_DATE_EPOCH": "nonsense",
         "PYTHONHASHSEED": "7",
     }
 

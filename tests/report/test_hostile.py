@@ -7,11 +7,7 @@ from hypothesis import strategies as st
 from tests.damages import LONG
 from tests.hostile import COLUMNS, STRINGS, check_pages, check_store, check_table
 
-pytestmark = [
-    pytest.mark.faults,
-    # the font that measures the text of drawings lacks some signs; the reader's browser draws them
-    pytest.mark.filterwarnings("ignore:Glyph:UserWarning"),
-]
+pytestmark = pytest.mark.faults
 PIECES = st.sampled_from(
     [*STRINGS, "|", "||", "\n", " ", "–", "−", "[", "]", "[s]", "[deg]", "×10^", "π", "/", "1", "-"]
 )

@@ -11,7 +11,15 @@ import pytest
 
 import repro
 from repro.errors import DeclarationError, InputError, ReproError
-from repro.robotics import MinimumTime, MinimumTimeSpline, PolynomialMotion, cubic, peak, quintic
+from repro.robotics import (
+    DirectedSpline,
+    MinimumTime,
+    MinimumTimeSpline,
+    PolynomialMotion,
+    cubic,
+    peak,
+    quintic,
+)
 from repro.robotics.motion_checks import check_motion
 from repro.robotics.rest_to_rest import motion, peaks
 from repro.robotics.spline_motion import motion as spline_motion
@@ -200,6 +208,10 @@ HOSTILE: tuple[object, ...] = (
 MADE: dict[type, dict[str, Any]] = {
     MinimumTime: {"waypoints": POINTS, "law": quintic, **GOOD},
     MinimumTimeSpline: {"nodes": POINTS, **GOOD},
+    DirectedSpline: {
+        "nodes": POINTS, "durations": (0.1, 9.0),
+        "velocity": ((-1.0, 1.0),) * 2, "acceleration": ((-1.0, 2.0),) * 2,
+    },
     PolynomialMotion: {
         "waypoints": POINTS, "degree": 5, "durations": (0.1, 9.0),
         "velocity": ((-1.0, 1.0),) * 2, "acceleration": ((-1.0, 1.0),) * 2,

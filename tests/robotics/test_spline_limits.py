@@ -5,6 +5,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from repro.robotics.spline_limits import (
+    extremes,
     fastest,
     hardest,
     largest_turning,
@@ -58,6 +59,18 @@ def test_hardest_is_the_greatest_of_dense_samples(p: Triple, bernstein: Triple) 
 
     assert found >= sampled * (1 - 1e-9)
     assert found <= sampled * (1 + 1e-4) + 1e-6
+
+
+@given(COEFFICIENTS, POSITIVE, st.sampled_from([1, 3]))
+def test_extremes_are_those_of_dense_samples(p: Triple, bernstein: Triple, order: int) -> None:
+    s = power(bernstein)
+    sampled = at(p, U) / at(s, U) ** order
+
+    low, high = extremes(*p, *s, order)
+
+    size = abs(sampled).max()
+    assert low - 1e-9 * size <= sampled.min() <= low + 1e-4 * size + 1e-6
+    assert high + 1e-9 * size >= sampled.max() >= high - 1e-4 * size - 1e-6
 
 
 @given(COEFFICIENTS, POSITIVE)

@@ -1,8 +1,10 @@
+from pathlib import Path
+
 import pytest
 
 from repro.commands.catalogue import all_papers
 from repro.optimisers.random_search import RandomSearch
-from repro.runs.compared import beside, narrowed
+from repro.runs.compared import Compared, beside, narrowed, recalled, remember
 from repro.runs.plan import plan
 
 WITH_RUNS = [key for key, paper in all_papers().items() if paper.experiments]
@@ -25,3 +27,21 @@ def test_a_paper_is_narrowed_to_each_of_its_problems(key: str) -> None:
         others = plan([beside(paper, own)], 2)
         assert {task.problem for task in others} == {problem}
         assert {task.key for task in others} <= keys
+
+
+def test_a_list_of_searches_keeps_a_folder_whose_name_is_no_text(tmp_path: Path) -> None:
+    found = Compared(
+        paper="p", name="鲸", place="m:f", experiments=(), problems=(), runs=None, repeats=1,
+        folder="/a\udcff",
+    )  # fmt: skip
+    said: list[str] = []
+
+    remember(tmp_path, [found], said.append)
+    assert recalled(tmp_path) == [found]
+
+    (tmp_path / "compared.json").write_text("<<<<<<<")
+    assert recalled(tmp_path) is None
+    remember(tmp_path, [found], said.append)
+    assert recalled(tmp_path) == [found]
+    assert "it is set aside as" in said[0]
+    assert (tmp_path / "compared-set-aside-1.json").read_text() == "<<<<<<<"

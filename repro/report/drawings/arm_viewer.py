@@ -1,11 +1,11 @@
 """The script of the live views of robots, as it stands in a page."""
 
-import gzip
-from base64 import b64encode
 from functools import cache
 from importlib.resources import files
 
 from markupsafe import Markup
+
+from repro.report.packing import packed
 
 
 @cache
@@ -16,8 +16,8 @@ def viewer() -> str:
 
 @cache
 def packed_viewer() -> str:
-    """Return the script as gzip in base 64, a third of its size: the browser unpacks it."""
-    return b64encode(gzip.compress(viewer().encode(), 9, mtime=0)).decode()
+    """Return the script as it stands in a page."""
+    return packed(viewer())
 
 
 @cache

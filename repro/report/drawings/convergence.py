@@ -21,6 +21,7 @@ from repro.report.drawings.style import (
     panels_two_abreast,
 )
 from repro.report.words import number
+from repro.robotics import MinimumTime, MinimumTimeSpline
 
 Vector = NDArray[np.float64]
 MOST_POINTS = 3000  # in all curves together, which keeps a drawing of many panels light
@@ -114,11 +115,16 @@ def convergence_plot(figure: Convergence, evidence: Evidence) -> Plot | None:
         if any(name in panel for panel in curves.values())
     ]
     canvas, places = panels_two_abreast(len(curves), height=1.7, legend=legend, gaps=(0.62, 0.62))
+    timed = {
+        name
+        for name, problem in experiment.problems.items()
+        if isinstance(problem, MinimumTime | MinimumTimeSpline)
+    }
     for axes, (problem, panel) in zip(places, curves.items(), strict=True):
         draw_curves(axes, panel, names, experiment.proposed)
-        axes.set_title(problem)
+        axes.set_title(f"{problem} [s]" if problem in timed else problem)
     for axes in places[::2]:
-        name_left_axis(axes, "best cost")
+        name_left_axis(axes, "best cost" if timed else "best cost (no unit)")
     for axes in places[-2:]:
         axes.set_xlabel("iteration")
     return Plot(canvas=canvas, description=_description(curves, missing), frame=_frame(curves))

@@ -1,5 +1,6 @@
 // The search box: what has every word of it in its text, its place, its paper or its verdict.
-{
+unpacked("search-rows").then(text => {
+  if (!text) return;
   const most = 6; // of one kind, until all of them are asked for
   const names = {
     paper: "Papers", part: "Parts of a paper's pages", algorithm: "Algorithms", optimum: "Proved optima",
@@ -11,7 +12,7 @@
   const status = search.querySelector("[role=status]");
   const results = document.getElementById("search-results");
   const help = status.textContent;
-  const { marks, groups } = JSON.parse(document.getElementById("search-rows").textContent);
+  const { marks, groups } = JSON.parse(text);
   const plain = text => text.toLowerCase().replaceAll("−", "-");
   const anchor = text => text.toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "");
   const rows = groups.flatMap(({ kind, paper, page, of, rows }) => rows.map(
@@ -85,4 +86,4 @@
     event.preventDefault();
   });
   look();
-}
+});

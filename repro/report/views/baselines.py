@@ -53,7 +53,7 @@ def standings_view(found: ExperimentStandings, *, seconds: bool = False) -> Stan
         headings=("problem", "known minimum", *(_heading(*name) for name in names)),
         rows=tuple(
             (
-                p.problem,
+                f"{p.problem} [s]" if p.minimum and p.minimum.is_time else p.problem,
                 _minimum(p),
                 *(_cell(places.get((p.problem, *name)), p.minimum) for name in names),
             )

@@ -20,6 +20,7 @@ from repro.report.words import (
     digits_for,
     interval,
     number,
+    seconds_raised,
     share,
     verdict_words,
 )
@@ -231,7 +232,7 @@ def _own(finding: Finding) -> str:
 
 def with_unit(text: str, unit: str) -> str:
     """Return a number or an interval with its unit, of which a rank's stands before it."""
-    return f"rank {text}" if unit == "rank" else f"{text} {unit}".strip()
+    return f"rank {text}" if unit == "rank" else f"{text} {seconds_raised(unit)}".strip()
 
 
 def marks_by_cell(rows: Iterable[AuditRow]) -> dict[Place, list[AuditRow]]:
@@ -270,7 +271,9 @@ def table_view(table: PublishedTable, found: Mapping[Place, Shown] | Mapping[Pla
             for column, cell in zip(table.columns, cells, strict=True)
         )
         *first, last = headings
-        shown_headings = (*first, f"{last} [{unit}]") if unit in UNITS and unit else headings
+        shown_headings = (
+            (*first, f"{last} [{seconds_raised(unit)}]") if unit in UNITS and unit else headings
+        )
         rows.append((shown_headings, shown_cells))
     return Table(
         label=table.label,
@@ -278,7 +281,7 @@ def table_view(table: PublishedTable, found: Mapping[Place, Shown] | Mapping[Pla
         anchor=anchor(table.label),
         headings=table.headings,
         columns=tuple(
-            f"{column.name} [{column.unit}]"
+            f"{column.name} [{seconds_raised(column.unit)}]"
             if column.unit in UNITS and column.unit
             else column.name
             for column in table.columns

@@ -25,7 +25,7 @@ class Square:
 class HeatMap:
     """A printed table as squares; texts, and cells that nothing is said of, are None.
 
-    `one_sided` holds a sentence for each column whose re-runs all lie on one side.
+    `one_sided` says which columns have re-runs that all lie on one side.
     """
 
     label: str
@@ -95,7 +95,10 @@ def _looks(shown: Shown) -> tuple[str, str, str]:
 
 
 def _one_sided(table: Table) -> Iterable[str]:
-    """Yield a sentence for each column whose numbers all come out lower, or all higher."""
+    """Yield what columns have numbers that all come out lower, and what all higher."""
     cells = [cell.finding for _, row in table.rows for cell in row if isinstance(cell, Shown)]
+    sides: dict[str, list[str]] = {}
     for each in one_sided(cells):
-        yield f"every number of {each.column} ({each.numbers}) re-runs {each.side} than printed"
+        sides.setdefault(each.side, []).append(f"{each.column} ({each.numbers})")
+    for side, columns in sides.items():
+        yield f"every number of {', '.join(columns)} re-runs {side} than printed"

@@ -16,7 +16,7 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
-from repro.robotics import MinimumTimeSpline
+from repro.robotics.directed_spline import Spline
 from repro.robotics.proofs.descent import GAIN, descended, just_obeying
 from repro.robotics.proofs.limit_pool import Limits
 from repro.robotics.proofs.limit_rows import Bend, Box, Cut, rounded_down
@@ -44,9 +44,7 @@ class Bound:
     holding: tuple[Cut | Bend, ...]
 
 
-def least_total(
-    problem: MinimumTimeSpline, limits: Limits, starts: Vector, watch: Watch = ENDLESS
-) -> Bound:
+def least_total(problem: Spline, limits: Limits, starts: Vector, watch: Watch = ENDLESS) -> Bound:
     """Return a bound on the total time of every motion that obeys, in s.
 
     `starts` (n, segments) obey, none where none is known. The search for a faster motion begins
@@ -82,7 +80,7 @@ def least_total(
 
 
 def _fastest(
-    problem: MinimumTimeSpline, limits: Limits, starts: Vector, watch: Watch
+    problem: Spline, limits: Limits, starts: Vector, watch: Watch
 ) -> tuple[Vector, tuple[Cut | Bend, ...]]:
     """Return the best of the motions gone down to, an endless one where there is no start."""
     endless: Vector = np.full(problem.segments, math.inf)
@@ -90,9 +88,7 @@ def _fastest(
     return min(found, key=_time, default=(endless, ()))
 
 
-def _whole(
-    problem: MinimumTimeSpline, best: Vector
-) -> tuple[Fraction, list[tuple[Fraction, int, Box]]]:
+def _whole(problem: Spline, best: Vector) -> tuple[Fraction, list[tuple[Fraction, int, Box]]]:
     """Return the longest total time of interest, and the box of all durations to look into."""
     lowest, highest = map(Fraction, problem.durations)
     known = best.sum() < math.inf

@@ -6,12 +6,10 @@ the nearest valley, it starts from the best of many directions (J. H. Halton, Nu
 2 (1960) 84-90).
 """
 
-from dataclasses import replace
-
 import numpy as np
 from numpy.typing import NDArray
 
-from repro.robotics import MinimumTimeSpline
+from repro.robotics.directed_spline import Spline, sides
 from repro.robotics.proofs.limit_pool import Limits
 from repro.robotics.proofs.limit_rows import Bend, Cut
 from repro.robotics.proofs.linear_programmes import solved
@@ -25,14 +23,14 @@ DIRECTIONS = 2000  # tried from which to start
 STARTS = 4  # of them that are gone down from
 
 
-def just_obeying(problem: MinimumTimeSpline, durations: Vector) -> Vector:
+def just_obeying(problem: Spline, durations: Vector) -> Vector:
     """Return motions (…, segments) as slow as limits and shortest durations need them to be.
 
     Infinitely slow where time stands still, or where a duration becomes longer than is allowed.
     """
     durations = np.asarray(durations, dtype=np.float64)
     shortest, longest = problem.durations
-    peaks = replace(problem, handling="time scaling").peak_shares(durations)
+    peaks = problem.peak_shares(durations)
     whole = np.isfinite(peaks).all(axis=-1) & (durations > 0.0).all(axis=-1)
     needed = np.maximum(peaks[..., 0], np.sqrt(peaks[..., 1]))
     scale = np.where(whole, needed, 1.0)[..., None]
@@ -42,27 +40,28 @@ def just_obeying(problem: MinimumTimeSpline, durations: Vector) -> Vector:
     return np.where(allowed[..., None], np.minimum(found, longest), np.inf)
 
 
-def starts(problem: MinimumTimeSpline, first: Vector) -> Vector:
+def starts(problem: Spline, first: Vector) -> Vector:
     """Return motions that obey, the fastest first; `first` need not obey and is among the tried."""
     from scipy.stats import qmc  # noqa: PLC0415 (slow to load)
 
     share = qmc.Halton(problem.segments, scramble=False).random(DIRECTIONS + 1)[1:]
-    directions = np.vstack([first, _chords(problem), np.ones(problem.segments), -np.log(share)])
+    directions = np.vstack([first, chords(problem), np.ones(problem.segments), -np.log(share)])
     motions = just_obeying(problem, directions)
     total = motions.sum(axis=1)
     order = np.argsort(total, kind="stable")[:STARTS]
     return np.asarray(motions[order[np.isfinite(total[order])]])
 
 
-def _chords(problem: MinimumTimeSpline) -> Vector:
-    """Return what each segment would take alone, roughly."""
-    moves = abs(np.diff(np.array(problem.nodes), axis=0))
-    fast, hard = moves / problem.limits[0], np.sqrt(moves / problem.limits[1])
-    return np.asarray(np.maximum(fast, hard).max(axis=1))
+def chords(problem: Spline) -> Vector:
+    """Return what each segment would take alone, roughly, shape (segments,)."""
+    moves = np.diff(np.array(problem.nodes), axis=0)[..., None]
+    fast = (moves / np.array(sides(problem.velocity))).max(axis=-1)
+    hard = (moves / np.array(sides(problem.acceleration))).max(axis=-1)
+    return np.asarray(np.maximum(fast, np.sqrt(hard)).max(axis=1))
 
 
 def descended(
-    problem: MinimumTimeSpline, limits: Limits, start: Vector, watch: Watch = ENDLESS
+    problem: Spline, limits: Limits, start: Vector, watch: Watch = ENDLESS
 ) -> tuple[Vector, tuple[Cut | Bend, ...]]:
     """Return a motion from which no small change is faster, and the limits that hold it back."""
     best, held = start, np.array([])

@@ -4,22 +4,22 @@ import math
 from collections.abc import Sequence
 
 from repro.errors import NotProvedError
+from repro.robotics.directed_spline import Spline, sides
 from repro.robotics.fastest import fastest_joints
 from repro.robotics.fixed_penalties import Cheapest, cheapest
 from repro.robotics.path_fitting import PathFitting
 from repro.robotics.proofs.limit_rows import Cut
-from repro.robotics.proofs.proved import LeastTime, box_in_words, closed, gap
+from repro.robotics.proofs.proved import FREE, LeastTime, box_in_words, closed, gap
 from repro.robotics.proofs.rest_to_rest_minimum import PER, rest_to_rest
 from repro.robotics.proofs.spline_minimum import SplineProof, prove, prove_within
 from repro.robotics.proofs.watch import Watch
 from repro.robotics.rest_to_rest import MinimumTime
-from repro.robotics.spline_motion import MinimumTimeSpline
 
 AT_AN_END = 1e-6  # share of a duration allowed by which the motion's is longer for its proof
 LINEAR_PROGRAMME = (
     "linear programme: the velocity limits are linear in the durations, a rational combination of "
     "them bounds the sum from below, and a motion, lengthened a little, is proved to keep "
-    "every limit by Bernstein coefficients in rational numbers; u runs from 0 to 1 in each segment"
+    "every limit by Bernstein coefficients in rational numbers; u goes from 0 to 1 in each segment"
 )
 BRANCH_AND_BOUND = (
     "branch and bound over the durations: the velocity limits are linear in them, the acceleration "
@@ -31,7 +31,7 @@ BRANCH_AND_BOUND = (
 
 
 def least_time(
-    problem: MinimumTime | MinimumTimeSpline,
+    problem: MinimumTime | Spline,
     watch: Watch | None = None,
     *,
     units: Sequence[str] | None = None,
@@ -42,7 +42,7 @@ def least_time(
     words, rad where none are given.
     """
     units = ("rad",) * len(problem.velocity) if units is None else units
-    if isinstance(problem, MinimumTimeSpline):
+    if not isinstance(problem, MinimumTime):
         return _spline(problem, watch, units)
     if problem.handling == "fixed penalties":
         least = cheapest(problem)
@@ -102,7 +102,7 @@ def _better_off_breaking(problem: MinimumTime, least: Cheapest) -> LeastTime:
     )
 
 
-def _spline(problem: MinimumTimeSpline, watch: Watch | None, units: Sequence[str]) -> LeastTime:
+def _spline(problem: Spline, watch: Watch | None, units: Sequence[str]) -> LeastTime:
     try:
         proof = prove(problem) if watch is None else prove_within(problem, watch)
     except NotProvedError as error:
@@ -133,10 +133,11 @@ def _spline(problem: MinimumTimeSpline, watch: Watch | None, units: Sequence[str
 
 
 def _explanation(
-    problem: MinimumTimeSpline, proof: SplineProof, lower: float | None, attained: float | None
+    problem: Spline, proof: SplineProof, lower: float | None, attained: float | None
 ) -> str:
     if lower is None:
-        return f"No durations{box_in_words(problem.durations)} obey{_by_boxes(proof.boxes)}."
+        box = box_in_words(problem.durations) or f" up to {FREE[1]:g} s"
+        return f"No durations{box} obey{_by_boxes(proof.boxes)}."
     by_boxes = _by_boxes(proof.boxes, " of durations")
     if attained is None:
         among = box_in_words(problem.durations, " with durations ")
@@ -168,7 +169,7 @@ def _by_boxes(boxes: int, of: str = "") -> str:
     return f", proved by {boxes} box{'' if boxes == 1 else 'es'}{of}" if boxes else ""
 
 
-def _at_the_ends(problem: MinimumTimeSpline, proof: SplineProof) -> tuple[str, ...]:
+def _at_the_ends(problem: Spline, proof: SplineProof) -> tuple[str, ...]:
     """Return the segments that are as short or as long as is allowed."""
     shortest, longest = problem.durations
     return tuple(
@@ -179,18 +180,23 @@ def _at_the_ends(problem: MinimumTimeSpline, proof: SplineProof) -> tuple[str, .
     )
 
 
-def _holding(
-    problem: MinimumTimeSpline, proof: SplineProof, units: Sequence[str]
-) -> tuple[str, ...]:
+def _holding(problem: Spline, proof: SplineProof, units: Sequence[str]) -> tuple[str, ...]:
     # u that differ by less than is shown are one place
     places = (
         f"segment {limit.span + 1}, at u = {float(limit.u):.3g}: {kind} of joint "
-        f"{limit.joint + 1} (limit {limits[limit.joint]:g} {units[limit.joint]}{PER[kind]})"
+        f"{limit.joint + 1} (limit {_reached(pairs[limit.joint], limit.sign):g} "
+        f"{units[limit.joint]}{PER[kind]})"
         for limit in sorted(proof.holding, key=lambda limit: (limit.span, limit.u))
-        for kind, limits in [
-            ("velocity", problem.velocity)
+        for kind, pairs in [
+            ("velocity", sides(problem.velocity))
             if isinstance(limit, Cut)
-            else ("acceleration", problem.acceleration)
+            else ("acceleration", sides(problem.acceleration))
         ]
     )
     return tuple(dict.fromkeys(places))
+
+
+def _reached(pair: Sequence[float], sign: int) -> float:
+    """Return the limit in a direction, without a sign where both are alike."""
+    low, high = pair
+    return low if sign < 0 and low != -high else high

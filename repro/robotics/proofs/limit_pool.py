@@ -89,10 +89,12 @@ class Limits:
         p0, p1, p2 = np.moveaxis(self.angle, -1, 0)[..., None, None]
         s, s1 = s0 + u * (s1 + u * s2), s1 + 2 * u * s2
         p, p1 = p0 + u * (p1 + u * p2), p1 + 2 * u * p2
-        turn = (p1 * s - p * s1) / self.acceleration[:, None, None]
+        turn = p1 * s - p * s1
         slope = np.maximum(s, TINY)
-        slow = (abs(p) / self.velocity[:, None, None] - s) / np.maximum(abs(s), TINY)
-        parts = (-turn / slope**3 - 1.0, slow, turn / slope**3 - 1.0)
+        least, most = np.moveaxis(self.velocity, -1, 0)[..., None, None]
+        slow = (np.maximum(p / most, p / least) - s) / np.maximum(abs(s), TINY)
+        least, most = np.moveaxis(self.acceleration, -1, 0)[..., None, None]
+        parts = (turn / least / slope**3 - 1.0, slow, turn / most / slope**3 - 1.0)
         return np.stack([part[:, :, k] for k, part in enumerate(parts)], axis=2)
 
 

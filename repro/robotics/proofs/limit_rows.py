@@ -1,9 +1,10 @@
 """The limits of a spline motion as exact inequalities of its durations h.
 
-With p = dq/du and s = dt/du, prime for d/du, and v, a the limits of one joint, at every u
+With p = dq/du and s = dt/du, prime for d/du, and v, a limits of one joint, above 0 upwards and
+below 0 downwards, at every u
 
-- velocity |p| <= v·s is linear in h (a `Cut`);
-- acceleration ±(p's - ps')/a <= s³ has a linear left side and a cube on the right (a `Bend`).
+- velocity p/v <= s is linear in h (a `Cut`);
+- acceleration (p's - ps')/a <= s³ has a linear left side and a cube on the right (a `Bend`).
 
 The cube is convex for s >= 0, so between two values of s it lies below its chord, and everywhere
 above its tangent. Where s is known to lie between the two, the chord in place of the cube gives a
@@ -17,30 +18,39 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from repro.robotics.bsplines import Matrix, span_weights
-from repro.robotics.spline_motion import MinimumTimeSpline, slope_weights
+from repro.robotics.directed_spline import Limits, Spline, sides
+from repro.robotics.spline_motion import slope_weights
 
 Rationals = tuple[Fraction, ...]
+Pairs = tuple[tuple[Fraction, Fraction], ...]
 Row = tuple[Rationals, Fraction]  # weights and the least that weights · durations may be
 Box = tuple[tuple[Fraction, Fraction], ...]  # shortest and longest of each duration
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Exact:
-    """dt/du as matrices, dq/du as coefficients per span and joint, and the limits, all exact."""
+    """dt/du as matrices, dq/du as coefficients per span and joint, and the limits, all exact.
+
+    The limits are the lowest and the highest of each joint.
+    """
 
     time: tuple[Matrix, ...]
     angle: tuple[tuple[Rationals, ...], ...]
-    velocity: Rationals
-    acceleration: Rationals
+    velocity: Pairs
+    acceleration: Pairs
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Cut:
-    """A velocity limit at one u of a span, as the row `weights` · durations >= `least`."""
+    """A velocity limit at one u of a span, as the row `weights` · durations >= `least`.
+
+    `sign` is 1 upwards and -1 downwards.
+    """
 
     span: int
     joint: int
     u: Fraction
+    sign: int
     weights: Rationals
     least: Fraction
 
@@ -53,12 +63,14 @@ class Cut:
 class Bend:
     """An acceleration limit at one u of a span, as (`slope` · durations)³ >= `turn` · durations.
 
-    `least` is what the velocity limits alone ask of `slope` · durations there.
+    `sign` is 1 upwards and -1 downwards; `least` is what the velocity limits alone ask of
+    `slope` · durations there.
     """
 
     span: int
     joint: int
     u: Fraction
+    sign: int
     slope: Rationals
     turn: Rationals
     least: Fraction
@@ -75,7 +87,7 @@ class Bend:
         return tuple(weights), steep * low - low**3
 
 
-def exact(problem: MinimumTimeSpline) -> Exact:
+def exact(problem: Spline) -> Exact:
     """Return what the limits are made of, as the problem stands in doubles."""
     columns = list(zip(*problem.nodes, strict=True))
     joints = [[Fraction(angle) for angle in column] for column in columns]
@@ -85,9 +97,13 @@ def exact(problem: MinimumTimeSpline) -> Exact:
             tuple(tuple((k + 1) * dot(matrix[k + 1], nodes) for k in range(3)) for nodes in joints)
             for matrix in span_weights(len(problem.nodes), problem.ends)
         ),
-        velocity=tuple(map(Fraction, problem.velocity)),
-        acceleration=tuple(map(Fraction, problem.acceleration)),
+        velocity=_exact_sides(problem.velocity),
+        acceleration=_exact_sides(problem.acceleration),
     )
+
+
+def _exact_sides(limits: Limits) -> Pairs:
+    return tuple((Fraction(low), Fraction(high)) for low, high in sides(limits))
 
 
 def dot(first: Sequence[Fraction], second: Sequence[Fraction]) -> Fraction:
@@ -107,15 +123,17 @@ def rounded_down(number: Fraction) -> Fraction:
 
 
 def cut(model: Exact, span: int, joint: int, u: Fraction) -> Cut:
-    """Return the velocity limit of a joint at one u."""
+    """Return the velocity limit of a joint at one u, in the direction in which it moves."""
     powers = (Fraction(1), u, u * u)
-    speed = abs(dot(model.angle[span][joint], powers))
+    step = dot(model.angle[span][joint], powers)
+    sign = 1 if step >= 0 else -1
     return Cut(
         span=span,
         joint=joint,
         u=u,
+        sign=sign,
         weights=_combined(model.time[span], powers),
-        least=speed / model.velocity[joint],
+        least=step / model.velocity[joint][sign > 0],
     )
 
 
@@ -125,15 +143,16 @@ def bend(model: Exact, span: int, joint: int, u: Fraction, *, sign: int) -> Bend
     angle = model.angle[span][joint]
     p, p1 = dot(angle, powers), dot(angle, rates)
     slope, slope1 = (_combined(model.time[span], by) for by in (powers, rates))
-    share = sign / model.acceleration[joint]
+    share = 1 / model.acceleration[joint][sign > 0]
     speeds = zip(model.angle[span], model.velocity, strict=True)
     return Bend(
         span=span,
         joint=joint,
         u=u,
+        sign=sign,
         slope=slope,
         turn=tuple(share * (p1 * s - p * s1) for s, s1 in zip(slope, slope1, strict=True)),
-        least=max(abs(dot(other, powers)) / limit for other, limit in speeds),
+        least=max(dot(other, powers) / limit for other, pair in speeds for limit in pair),
     )
 
 

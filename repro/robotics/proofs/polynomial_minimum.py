@@ -7,6 +7,7 @@ by Bernstein coefficients in rational numbers, as is that the T where this ends 
 """
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -19,9 +20,12 @@ from repro.robotics.proofs.watch import ENDLESS, Watch
 
 STEPS = 200  # from root to root
 TRIES = 20  # likewise, where the time is over: bound and motion are found, and nothing proved of it
+TINY = 1e-300  # share of the largest: a last coefficient below it bears on no root up to FAR
+FAR = 1e60
 SLACK = 1e-11  # share of a limit by which a motion may seem to break it when the search ends
 SHORTER = 1e-12  # share by which a root is shortened for the proof
 LONGER = (1e-10, 1e-9, 1e-8, 1e-7, 1e-6)  # shares by which the last T is lengthened for the proof
+FURTHER = (1e-5, 1e-4, 1e-3)  # where roots come ever closer, as of a motion that starts at a limit
 METHOD = (
     "cuts: at one instant of a segment a limit is a polynomial of the segment's duration, which "
     "rules out all durations up to its root; the longest ruled out bounds the time from below, and "
@@ -141,7 +145,8 @@ def _segment(problem: PolynomialMotion, segment: int, watch: Watch) -> SegmentPr
         left = min(left - 1, TRIES) if watch.over else left - 1
         worst, excess = _worst(problem, segment, time)
         if excess <= SLACK:
-            found = _lengthened(problem, segment, time, watch, exact=cut is None)
+            shares = LONGER if cut else (0.0, *LONGER)  # as it is where the box binds
+            found = _lengthened(problem, segment, time, watch, shares)
             if found is not None:
                 return SegmentProof(lower=proved, time=found, cut=cut)
             if watch.over and (shown := _barely_lengthened(problem, segment, time)) is not None:
@@ -159,7 +164,8 @@ def _segment(problem: PolynomialMotion, segment: int, watch: Watch) -> SegmentPr
         if reached > proved and positive(_mapped(room, proved, reached)):
             proved = reached
         time = max(after, time * (1.0 + SHORTER))
-    return SegmentProof(lower=proved, time=None, cut=cut, early=watch.over)
+    found = None if watch.over else _lengthened(problem, segment, time, watch, FURTHER)
+    return SegmentProof(lower=proved, time=found, cut=cut, early=watch.over)
 
 
 def _barely_lengthened(problem: PolynomialMotion, segment: int, time: float) -> float | None:
@@ -194,12 +200,20 @@ def _room(problem: PolynomialMotion, segment: int, cut: BrokenLimit) -> list[Fra
 
 
 def _next_root(room: list[Fraction], time: float) -> float:
-    """Return the least root above a time, infinite where there is none."""
+    """Return the least root above a time, infinite where there is none.
+
+    Where it is so far that doubles do not hold it, return a time on the way there.
+    """
     # in a unit in which the time is 1, so that no coefficient is lost
-    scaled = [float(entry * Fraction(time) ** power) for power, entry in enumerate(room)]
-    roots = np.polynomial.Polynomial(scaled).trim().roots()
+    scaled = np.polynomial.Polynomial(
+        [float(entry * Fraction(time) ** power) for power, entry in enumerate(room)]
+    ).trim()
+    near = scaled.trim(TINY * abs(scaled.coef).max())
+    roots = near.roots()
     real = roots.real[(abs(roots.imag) <= 1e-9 * abs(roots)) & (roots.real > 1.0)]
-    return time * float(real.min()) if real.size else math.inf
+    if real.size:
+        return time * float(real.min())
+    return time * FAR if near.degree() < scaled.degree() else math.inf
 
 
 def _mapped(room: list[Fraction], start: float, end: float) -> list[Fraction]:
@@ -213,10 +227,10 @@ def _mapped(room: list[Fraction], start: float, end: float) -> list[Fraction]:
 
 
 def _lengthened(
-    problem: PolynomialMotion, segment: int, time: float, watch: Watch, *, exact: bool
+    problem: PolynomialMotion, segment: int, time: float, watch: Watch, shares: Sequence[float]
 ) -> float | None:
-    """Return a duration little longer that is proved to obey; as it is where the box binds."""
-    for share in (0.0, *LONGER) if exact else LONGER:
+    """Return a duration little longer that is proved to obey."""
+    for share in shares:
         longer = min(time * (1.0 + share), problem.durations[1])
         if all(_kept(problem, segment, limit, longer, watch) for limit in _limited(problem)):
             return longer

@@ -23,10 +23,10 @@ def rest_to_rest(problem: MinimumTime, units: Sequence[str]) -> LeastTime:
     times = problem.times_to_keep()
     needed = times.max(axis=(1, 2))
     # at most this much shorter without the margin; see there
-    exact = np.maximum(needed * (1.0 - 3.0 * MARGIN), shortest)
-    lower = math.nextafter(math.fsum(exact), 0.0)
+    exact = needed * (1.0 - 3.0 * MARGIN)
     if (exact > longest).any():
-        return _nothing_obeys(problem, times, lower, units)
+        return _nothing_obeys(problem, times, math.nextafter(math.fsum(exact), 0.0), units)
+    lower = math.nextafter(math.fsum(np.maximum(exact, shortest)), 0.0)
     at = np.clip(needed, shortest, longest)
     obeys = problem.obeys(at)
     attained = float(at.sum()) if obeys else None

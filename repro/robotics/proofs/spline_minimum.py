@@ -19,20 +19,21 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from repro.errors import DeclarationError, NotProvedError
+from repro.robotics.directed_spline import Spline, times
 from repro.robotics.motion_checks import LARGEST
 from repro.robotics.proofs.branch_and_bound import least_total
-from repro.robotics.proofs.descent import descended, just_obeying, starts
+from repro.robotics.proofs.descent import chords, descended, just_obeying, starts
 from repro.robotics.proofs.limit_pool import Limits
 from repro.robotics.proofs.limit_rows import Bend, Cut, Exact, Rationals, cut, dot, exact
 from repro.robotics.proofs.linear_programmes import TOLERANCES, weighed
 from repro.robotics.proofs.positivity import derivative, difference, positive, product
 from repro.robotics.proofs.watch import ENDLESS, Watch
-from repro.robotics.spline_motion import MinimumTimeSpline
 
 Vector = NDArray[np.float64]
 ROUNDS = 30  # of added cuts; the distance to the optimum falls with its square in every round
@@ -64,12 +65,12 @@ class SplineProof:
 
 
 @cache
-def prove(problem: MinimumTimeSpline) -> SplineProof:
+def prove(problem: Spline) -> SplineProof:
     """Return the proof for one problem; NotProvedError where nothing can be proved."""
     return prove_within(problem, ENDLESS)
 
 
-def prove_within(problem: MinimumTimeSpline, watch: Watch) -> SplineProof:
+def prove_within(problem: Spline, watch: Watch) -> SplineProof:
     """Return as much of the proof as there is time for."""
     unit, scaled = _scaled(problem)
     found = _in_unit(scaled, watch.scaled(unit))
@@ -83,7 +84,7 @@ def prove_within(problem: MinimumTimeSpline, watch: Watch) -> SplineProof:
     )
 
 
-def fastest_found(problem: MinimumTimeSpline, watch: Watch) -> float | None:
+def fastest_found(problem: Spline, watch: Watch) -> float | None:
     """Return the time of the fastest motion that is found, in s, without a proof of a bound."""
     unit, scaled = _scaled(problem)
     model = exact(scaled)
@@ -93,19 +94,19 @@ def fastest_found(problem: MinimumTimeSpline, watch: Watch) -> float | None:
     return min((unit * float(motion.sum()) for motion in tried), default=None)
 
 
-def _scaled(problem: MinimumTimeSpline) -> tuple[float, MinimumTimeSpline]:
+def _scaled(problem: Spline) -> tuple[float, Spline]:
     """Return a unit of time in s, and the problem in it."""
     if problem.time_ends == "still":
         raise NotProvedError(_STILL)
     unit = 2.0 ** round(math.log2(_roughly(problem)))
     shortest, longest = problem.durations
+    changed: dict[str, Any] = {
+        "velocity": times(problem.velocity, unit),
+        "acceleration": times(times(problem.acceleration, unit), unit),
+        "durations": (shortest / unit, min(longest / unit, LARGEST)),
+    }
     try:
-        return unit, replace(
-            problem,
-            velocity=tuple(limit * unit for limit in problem.velocity),
-            acceleration=tuple(limit * unit * unit for limit in problem.acceleration),
-            durations=(shortest / unit, min(longest / unit, LARGEST)),
-        )
+        return unit, replace(problem, **changed)
     except DeclarationError as error:
         message = f"in units of {unit:.3g} s, about the motion's time, {error}"
         raise NotProvedError(message) from None
@@ -118,14 +119,12 @@ def _in_seconds(limit: Cut | Bend, unit: Fraction) -> Cut | Bend:
     return replace(limit, least=limit.least * unit, turn=turn)
 
 
-def _roughly(problem: MinimumTimeSpline) -> float:
+def _roughly(problem: Spline) -> float:
     """Return about how long the motion takes, in s."""
-    moves = abs(np.diff(np.array(problem.nodes), axis=0))
-    each = np.maximum(moves / problem.limits[0], np.sqrt(moves / problem.limits[1])).max(axis=1)
-    return float(np.maximum(each, problem.durations[0]).sum())
+    return float(np.maximum(chords(problem), problem.durations[0]).sum())
 
 
-def _in_unit(problem: MinimumTimeSpline, watch: Watch) -> SplineProof:
+def _in_unit(problem: Spline, watch: Watch) -> SplineProof:
     model = exact(problem)
     cuts, optimum, weights = _optimum(problem, model, watch)
     tried = starts(problem, optimum)
@@ -153,7 +152,7 @@ def _in_unit(problem: MinimumTimeSpline, watch: Watch) -> SplineProof:
     )
 
 
-def _lengthened(problem: MinimumTimeSpline, model: Exact, motion: Vector) -> Rationals:
+def _lengthened(problem: Spline, model: Exact, motion: Vector) -> Rationals:
     """Return the motion lengthened so little that it is proved to obey, also in doubles.
 
     Nothing where that cannot be done with the durations allowed.
@@ -168,9 +167,7 @@ def _lengthened(problem: MinimumTimeSpline, model: Exact, motion: Vector) -> Rat
     return ()
 
 
-def _optimum(
-    problem: MinimumTimeSpline, model: Exact, watch: Watch
-) -> tuple[list[Cut], Vector, Vector]:
+def _optimum(problem: Spline, model: Exact, watch: Watch) -> tuple[list[Cut], Vector, Vector]:
     """Return cuts, and optimum and dual weights of the linear programme that they make.
 
     Where the longest durations allowed are too short for it, it is that without them.
@@ -206,12 +203,13 @@ def _optimum(
 def _worst(
     model: Exact, place: tuple[int, int], durations: Vector
 ) -> tuple[tuple[int, int, Fraction], float]:
-    """Return where on the span |q'| exceeds v·t' most, and by how much."""
+    """Return where on the span q' exceeds v·t' most, in either direction, and by how much."""
     span, joint = place
     slope = np.array(model.time[span], dtype=np.float64) @ durations
-    angle = np.array(model.angle[span][joint], dtype=np.float64) / float(model.velocity[joint])
+    angle = np.array(model.angle[span][joint], dtype=np.float64)
+    low, high = map(float, model.velocity[joint])
     best = ((span, joint, Fraction(0)), -math.inf)
-    for c0, c1, c2 in (angle - slope, -angle - slope):
+    for c0, c1, c2 in (angle / high - slope, angle / low - slope):
         turn = -c1 / (2.0 * c2) if c2 < 0.0 else 0.0
         for u in (0.0, min(max(turn, 0.0), 1.0), 1.0):
             excess = c0 + u * (c1 + u * c2)
@@ -220,9 +218,7 @@ def _worst(
     return best
 
 
-def _bound(
-    problem: MinimumTimeSpline, cuts: Sequence[Cut], weights: Vector, motions: Vector
-) -> Fraction:
+def _bound(problem: Spline, cuts: Sequence[Cut], weights: Vector, motions: Vector) -> Fraction:
     """Return an exact lower bound on every motion that is no slower than the best known."""
     n = problem.segments
     shortest, longest = map(Fraction, problem.durations)
@@ -242,13 +238,12 @@ def _obeys(model: Exact, durations: Rationals) -> bool:
             return False
         for joint, angle in enumerate(model.angle[span]):
             bend = difference(product(derivative(angle), slope), product(angle, derivative(slope)))
-            for curve, allowed, limit in (
+            for curve, allowed, (low, high) in (
                 (list(angle), slope, model.velocity[joint]),
                 (bend, cube, model.acceleration[joint]),
             ):
-                room = [limit * entry for entry in allowed]
-                below = difference(room, curve)
-                above = difference(room, [-entry for entry in curve])
+                below = difference([high * entry for entry in allowed], curve)
+                above = difference(curve, [low * entry for entry in allowed])
                 if not (positive(below) and positive(above)):
                     return False
     return True

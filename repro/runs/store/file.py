@@ -1,6 +1,9 @@
 """The file of the store: how it is made, recognised, migrated and opened."""
 
+import math
+import os
 import sqlite3
+import stat
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from functools import partial
@@ -8,7 +11,7 @@ from pathlib import Path
 
 from repro.errors import DamageError, InputError, StoreError
 from repro.runs.store.row import LONGEST
-from repro.runs.store.settled import NAME, is_settled
+from repro.runs.store.settled import is_settled
 
 SCHEMA = 2
 APPLICATION = 0x52455052  # "REPR"
@@ -28,7 +31,12 @@ create table curve(
 """
 # schema 1 kept every curve as it is
 _FROM_1 = "alter table curve add column packed integer not null default 0;"
-_JOURNALS = (b"\x37\x7f\x06\x82", b"\x37\x7f\x06\x83")  # how a write-ahead log of SQLite begins
+# how SQLite's journals begin; one of them holds nothing where power was lost
+_BESIDE = {
+    "wal": (b"\x37\x7f\x06\x82", b"\x37\x7f\x06\x83"),
+    "journal": (b"\xd9\xd5\x05\xf9", bytes(4)),
+}
+_FIRST, _PAGE = 3, 4096  # bytes of what SQLite shares: when it is made, and by which it grows
 
 
 def open_to_write(path: Path) -> sqlite3.Connection:
@@ -37,7 +45,7 @@ def open_to_write(path: Path) -> sqlite3.Connection:
     Raises DamageError for a file that is damaged or not ours, StoreError for a newer schema.
     """
     with refusing(path):
-        _refuse_foreign_journal(path)
+        _refuse_foreign(path, most=1)
         database = sqlite3.connect(path)
     try:
         with refusing(path):
@@ -66,6 +74,8 @@ def open_to_read(path: Path, *, alone: bool) -> sqlite3.Connection:
 
     `alone` says that nobody writes meanwhile; then no file is made beside the store either.
     """
+    with refusing(path):
+        _refuse_foreign(path)
     if not path.exists():
         database = sqlite3.connect(":memory:")
         database.executescript(TABLES)
@@ -136,12 +146,37 @@ def _start(path: Path, count: int) -> bytes:
         return file.read(count)
 
 
-def _refuse_foreign_journal(path: Path) -> None:
-    journal = path.with_name(f"{NAME}-wal")
-    start = _start(journal, 4)
-    if start and start not in _JOURNALS:
-        message = f"{journal} is no journal of a store"
-        raise DamageError(message)
+def _refuse_foreign(path: Path, most: float = math.inf) -> None:
+    """Raise InputError for what is no file of a store, DamageError for a journal of others.
+
+    SQLite looks for its journals where a link leads, and locks one name of a file alone: `most`
+    is how many names it may have.
+    """
+    for kind in ("", "shm", *_BESIDE):
+        place = path.with_name(f"{path.name}-{kind}" if kind else path.name)
+        if not os.path.lexists(place):
+            continue
+        found = place.lstat()
+        if reason := _reason_against(found, most, shared=kind == "shm"):
+            message = f"{place} cannot be used as a store: {reason}"
+            raise InputError(message)
+        start = _start(place, 4) if kind in _BESIDE else b""
+        if start and start not in _BESIDE[kind]:
+            message = f"{place} is no journal of a store"
+            raise DamageError(message)
+
+
+def _reason_against(found: os.stat_result, most: float, *, shared: bool) -> str:
+    if stat.S_ISLNK(found.st_mode):
+        return "it is a link"
+    if not stat.S_ISREG(found.st_mode):
+        return "it is no file"
+    if found.st_nlink > most:
+        return "it has a second name, so copy it"
+    # not opened for a look: closing it would drop the locks of this process's other connections
+    if shared and found.st_size != _FIRST and found.st_size % _PAGE:
+        return "it is of another program"
+    return ""
 
 
 @contextmanager

@@ -26,6 +26,12 @@ LOCK = "repro.lock"
 _FLAGS = os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
 
 
+# what open(2) says of a link that it may not follow, and of a folder
+_NO_FILE = {errno.ELOOP: "a link", errno.EISDIR: "a folder"}
+# of NFS without its lock daemon, of FUSE and of Lustre as they may be mounted
+_NO_LOCKS = {errno.ENOLCK, errno.EOPNOTSUPP, errno.ENOTSUP, errno.ENOSYS, errno.EINVAL}
+
+
 class Lock:
     """A locked file, until it is closed."""
 
@@ -90,6 +96,9 @@ def lock_to_read(folder: Path) -> Lock | None:
     except BlockingIOError:
         os.close(number)
         return None
+    except OSError as error:
+        os.close(number)
+        raise _unusable(folder, error) from None
     return Lock(number)
 
 
@@ -100,6 +109,9 @@ def _refuse_special(folder: Path, number: int) -> None:
 
 
 def _unusable(folder: Path, error: OSError) -> InputError:
-    # what open(2) says of a link that it may not follow
-    reason = f"{LOCK} in it is a link" if error.errno == errno.ELOOP else error.strerror
+    reason = error.strerror
+    if error.errno in _NO_FILE:
+        reason = f"{LOCK} in it is {_NO_FILE[error.errno]}"
+    elif error.errno in _NO_LOCKS:
+        reason = f"its disk locks no files ({reason}): name a store on another"
     return InputError(f"the store folder {folder} cannot be used: {reason}")

@@ -15,6 +15,7 @@ from contextlib import suppress
 from dataclasses import replace
 from multiprocessing import Pipe
 from multiprocessing.connection import Connection
+from pathlib import Path
 from queue import SimpleQueue
 from threading import Event, Thread
 
@@ -24,9 +25,13 @@ from repro.runs.workers.pickling import pack, stripped, unpack
 
 ALIVE, LATE = b"alive", b"late"
 TRIES = 3  # deaths of a worker that one task may cause before it is named and given up
+_HOME = str(Path(__file__).parents[3])  # where our package is
+# a folder of searches may hold a repro.py or numpy.py of its own, so it comes last until we are in
 _PROGRAM = (
-    "import sys; sys.path[:] = sys.argv[2:]; "
-    "from repro.runs.workers.process import serve; serve(int(sys.argv[1]))"
+    "import sys; _, number, home, *paths = sys.argv; "
+    "sys.path[:] = [home, *filter(None, sys.path), *paths]; "
+    "from repro.runs.workers.process import serve; "
+    "sys.path[:] = paths; serve(int(number))"
 )
 # one thread per run: the engine itself spreads runs over the cores
 _ONE_THREAD = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
@@ -92,7 +97,7 @@ class WorkerProcess:
         ours, theirs = Pipe()
         with theirs:
             self._process = subprocess.Popen(  # noqa: S603 (our own program)
-                (sys.executable, "-c", _PROGRAM, str(theirs.fileno()), *sys.path),
+                (sys.executable, "-c", _PROGRAM, str(theirs.fileno()), _HOME, *sys.path),
                 pass_fds=(theirs.fileno(),),
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.DEVNULL,  # what a search prints is no answer of ours

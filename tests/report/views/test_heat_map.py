@@ -87,3 +87,17 @@ def test_a_column_that_lies_on_one_side_is_said_and_a_mixed_or_short_one_is_not(
     assert mapped(*lower[:2]).one_sided == ()
     assert mapped(*lower, finding("F4", "1.0", 2.0)).one_sided == ()
     assert mapped(*lower, finding("F4", "1.0", 1.0)).one_sided == ()
+
+
+def test_columns_on_the_same_side_are_said_together() -> None:
+    both = [finding(name, "1.0", 0.1, column=of) for name in NAMES for of in ("WOA", "PSO")]
+    table = PublishedTable.read(
+        "T\nF || WOA | PSO\nF1 || 1.0 | 1.0\nF2 || 1.0 | 1.0\nF3 || 1.0 | 1.0"
+    )
+    found: dict[Place, Shown] = {
+        ("T", s.finding.row, s.finding.column): s for s in everything(both, ())
+    }
+
+    assert heat_map(table_view(table, found)).one_sided == (
+        "every number of WOA (3), PSO (3) re-runs lower than printed",
+    )

@@ -1,3 +1,4 @@
+from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
@@ -5,9 +6,9 @@ import pytest
 
 from repro.robotics.proofs.limit_pool import Limits
 from repro.robotics.proofs.limit_rows import Bend, Cut, Rationals, bend, cut, dot, exact
-from tests.robotics.test_spline_motion import PROBLEM
+from tests.robotics.test_directed_spline import DIRECTED
 
-MODEL = exact(PROBLEM)
+MODEL = exact(DIRECTED)
 BOX = ((Fraction(1), Fraction(2)), (Fraction(3, 2), Fraction(5, 2)), (Fraction(1, 2), Fraction(3)))
 
 
@@ -54,10 +55,21 @@ def test_added_limits_are_the_worst_of_their_span_and_joint() -> None:
         if isinstance(each, Cut):
             others: list[Cut | Bend] = [cut(MODEL, each.span, each.joint, u) for u in every]
         else:
-            sign = 1 if each == bend(MODEL, each.span, each.joint, each.u, sign=1) else -1
-            others = [bend(MODEL, each.span, each.joint, u, sign=sign) for u in every]
+            others = [bend(MODEL, each.span, each.joint, u, sign=each.sign) for u in every]
         assert at > 0
         assert at >= max(excess(other, durations) for other in others) - 1e-6
+
+
+def test_limits_on_the_side_that_a_motion_keeps_are_not_added() -> None:
+    lopsided = replace(DIRECTED, velocity=((-99.0, 0.1),) * 2, acceleration=((-99.0, 0.1),) * 2)
+    limits = Limits(exact(lopsided), [])
+    start = len(limits.known)
+
+    limits.add_worst(np.array([2.0, 4.0, 3.0]))
+
+    fresh = limits.known[start:]
+    assert {type(each) for each in fresh} == {Cut, Bend}
+    assert {each.sign for each in fresh} == {1}
 
 
 def test_motion_that_obeys_adds_nothing() -> None:

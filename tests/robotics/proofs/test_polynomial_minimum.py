@@ -227,3 +227,32 @@ def test_box_of_durations_is_obeyed_or_said() -> None:
 def test_what_no_motion_has_is_refused(changed: dict[str, object], fault: str) -> None:
     with pytest.raises(ReproError, match=fault):
         replace(TWO, **changed)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(("degree", "near"), [(5, 2e-5), (7, 2e-4), (11, 2e-3), (13, 1e-6)])
+def test_motion_that_starts_at_its_limit_takes_until_it_no_longer_gains_speed(
+    degree: int, near: float
+) -> None:
+    """By hand, degree 5: T·v is T·v0 + τ²·(30 D - 18 T·v0) + …, so that T >= 5 D / (3 v0)."""
+    own = PolynomialMotion(
+        waypoints=((0.0,), (90.0,)), degree=degree, velocity=((-180.0, 180.0),),
+        acceleration=((-1000.0, 1000.0),), start=(180.0,), durations=FREE,
+    )  # fmt: skip
+
+    found = proved(own)
+
+    assert found.lower_bound is not None
+    assert found.lower_bound <= degree / (degree + 1) <= (found.attained or 0.0)
+    assert found.attained == pytest.approx(found.lower_bound, rel=near)
+
+
+@pytest.mark.parametrize("limit", [1e-85, 1e-92])
+def test_root_that_doubles_do_not_hold_is_approached(limit: float) -> None:
+    """From 1e-60 s on, a jerk needs 1e43 s or more: the cube of their ratio is no double."""
+    own = PolynomialMotion(
+        waypoints=((0.0,), (1e45,)), degree=5, velocity=((-1e90, 1e90),),
+        acceleration=((-1e90, 1e90),), jerk=((-limit, limit),), durations=FREE,
+    )  # fmt: skip
+    expected = (60 * 1e45 / limit) ** (1 / 3)
+
+    assert proved(own).minimum == pytest.approx(expected, rel=1e-5)

@@ -93,6 +93,15 @@ def test_box_that_no_motion_obeys_is_said_with_the_segment_and_its_limit() -> No
     )
 
 
+def test_bound_whatever_the_durations_knows_no_shortest_duration() -> None:
+    own = replace(TWO, waypoints=((0.0, 0.0), (0.1, 0.0), (1.5, 0.0)), durations=(1.0, 1.2))
+    free = least_time(replace(own, durations=(1e-3, 99.0)))
+    found = least_time(own)
+
+    assert found.lower_bound == free.lower_bound
+    assert found.explanation.endswith(f"a motion that obeys takes {free.minimum:.6g} s or more.")
+
+
 @pytest.mark.parametrize("power", range(-3, 6))
 def test_fast_and_slow_motions_are_proved_alike(power: int) -> None:
     by = 10.0**power

@@ -1,5 +1,6 @@
 """The lock and the files beside it: nobody else's file is touched for them."""
 
+import errno
 import os
 import sqlite3
 import subprocess
@@ -11,6 +12,7 @@ import pytest
 
 from repro.errors import InputError, StoreError
 from repro.runs.store.lock import LOCK
+from repro.runs.store.settled import settled_digest
 from repro.runs.store.store import Store
 from tests.small_stores import INTACT, filled, read, reproduced
 
@@ -87,6 +89,68 @@ def test_only_the_files_of_the_store_are_set_aside(tmp_path: Path) -> None:
     assert records == INTACT
     assert "set aside" in said[0]
     assert (tmp_path / "runs.sqlite.mine").read_text() == TEXT
+
+
+@pytest.mark.parametrize("kind", ["ENOLCK", "EOPNOTSUPP", "ENOSYS", "EINVAL", "EIO"])
+def test_a_disk_that_refuses_locks_is_one_line_for_whoever_writes_and_reads(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, kind: str
+) -> None:
+    filled(tmp_path)
+    number = getattr(errno, kind)
+
+    def refuse(*_: object) -> None:
+        raise OSError(number, os.strerror(number))
+
+    monkeypatch.setattr("fcntl.flock", refuse)
+
+    says = os.strerror(number) if kind == "EIO" else "its disk locks no files"
+    for use in (filled, read, settled_digest):
+        with pytest.raises(InputError, match=says) as error:
+            use(tmp_path)
+        assert error.value.exit_code == 2
+        assert "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize("kind", ["itself", "parent"])
+def test_a_store_may_be_named_by_a_link(tmp_path: Path, kind: str) -> None:
+    (tmp_path / "disk" / "store").mkdir(parents=True)
+    link = tmp_path / "link"
+    link.symlink_to(tmp_path / "disk" / ("store" if kind == "itself" else ""))
+    store = link if kind == "itself" else link / "store"
+
+    filled(store)
+
+    assert read(store) == read(tmp_path / "disk" / "store") == INTACT
+    assert {path.name for path in tmp_path.iterdir()} == {"disk", "link"}
+    assert link.is_symlink()
+
+
+@pytest.mark.parametrize("name", ["runs.sqlite", "runs.sqlite-wal", "runs.sqlite-shm"])
+@pytest.mark.parametrize("to", ["theirs", "nothing"])
+def test_a_link_in_the_place_of_the_database_is_refused(tmp_path: Path, name: str, to: str) -> None:
+    store = filled(tmp_path / "store")
+    (tmp_path / "theirs").touch()
+    (store / name).unlink(missing_ok=True)
+    (store / name).symlink_to(tmp_path / to)
+
+    for use in (filled, read):
+        with pytest.raises(InputError, match=f"{name} cannot be used as a store: it is a link"):
+            use(store)
+
+    assert (tmp_path / "theirs").read_bytes() == b""
+    assert not (tmp_path / "nothing").exists()
+
+
+def test_a_database_with_a_second_name_is_read_and_not_written(tmp_path: Path) -> None:
+    store = filled(tmp_path / "store")
+    (tmp_path / "copy").hardlink_to(store / "runs.sqlite")
+    before = (tmp_path / "copy").read_bytes()
+
+    with pytest.raises(InputError, match="it has a second name, so copy it"):
+        filled(store)
+
+    assert read(store) == INTACT
+    assert (tmp_path / "copy").read_bytes() == before
 
 
 def test_a_system_without_such_locks_is_told_so_in_a_sentence() -> None:
