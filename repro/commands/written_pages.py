@@ -7,7 +7,6 @@ from functools import partial
 from pathlib import Path
 from types import MappingProxyType
 
-from repro.commands.kept_evidence import OfStore, gathered
 from repro.commands.kept_listing import FOLDER
 from repro.commands.kept_pages import (
     Request,
@@ -26,7 +25,7 @@ from repro.report.kept import find, keep
 from repro.report.pages import made_of
 from repro.report.results import Json, Made
 from repro.report.writing import write_report
-from repro.runs.gather import cell_of
+from repro.runs.gather import cell_of, gather
 from repro.runs.plan import Task, deeper_tasks
 from repro.runs.raw_runs import RawRuns, drawn_as
 from repro.runs.store.store import Store
@@ -124,12 +123,9 @@ def _made(store: Store, left: Sequence[Request], run: Run | None) -> Iterator[tu
             if answer and wants and run and (each.paper.key, answer) not in tried:
                 tried.add((each.paper.key, answer))
                 run(_wanted(each, answer))
-                again.append(replace(each, rows=""))  # there are more by now
-            elif wants or not answer:  # a copy that failed, or wants what cannot be made
-                here = replace(each, rows="") if run else each
-                yield each.paper.key, pages(store, here, run)
-            else:
-                yield each.paper.key, answer
+                again.append(each)
+            else:  # a copy that failed, or wants what cannot be made, has its say here
+                yield each.paper.key, pages(store, each, run) if wants or not answer else answer
         left = again
 
 
@@ -160,7 +156,7 @@ def _wanted(asked: Request, answer: bytes) -> Sequence[Task]:
 def pages(store: Store, asked: Request, run: Run | None = None) -> bytes:
     """Return all that is written of a paper, packed."""
     tasks = asked.tasks()
-    judgement = judged(store, asked.paper, tasks, run or _none, asked.rows)
+    judgement = judged(store, asked.paper, tasks, run or _none)
     seed = tasks[0].seed if tasks else ""
     made = made_of(judgement, store.environments(tasks), seed, asked.called)
     missing = len({task.key for task in tasks} - store.finished(asked.paper.key))
@@ -171,22 +167,16 @@ def _none(_: Sequence[Task]) -> None:
     """Make no runs."""
 
 
-def judged(
-    store: Store, paper: Paper, tasks: Sequence[Task], run: Run = _none, rows: str = ""
-) -> Judgement:
-    """Return the judgement of one paper; `tasks` are its own.
-
-    `rows` is a digest of what the store has of the paper, by which what is read of it is kept.
-    """
+def judged(store: Store, paper: Paper, tasks: Sequence[Task], run: Run = _none) -> Judgement:
+    """Return the judgement of one paper; `tasks` are its own."""
     others = studies(paper, max((task.repeat for task in tasks), default=1))
     seed = tasks[0].seed if tasks else ""
     raw = RawRuns(others)
-    source = OfStore(store=store, paper=paper, besides=others, rows=rows)
 
     def fetch(depths: Mapping[Cell, int]) -> Mapping[Cell, Runs]:
         more = deeper_tasks(paper, others, depths, seed)
         run(more)
-        return gathered(source, more, raw).runs
+        return gather(store, paper, more, others, raw.note).runs
 
-    judgement = judge(paper, gathered(source, tasks, raw), others, fetch)
+    judgement = judge(paper, gather(store, paper, tasks, others, raw.note), others, fetch)
     return replace(judgement, runs=raw.cells(), drawn_as=drawn_as(paper, others))

@@ -13,7 +13,7 @@ from pathlib import Path
 from repro.errors import InputError
 from repro.runs.whole_files import read_file, write_file
 
-MOST = 1 << 28
+MOST = 1 << 27
 """Bytes that are kept; what was not used for longest goes first."""
 _ENDING = ".kept"
 _NAME = re.compile(r"[0-9a-f]{64}")

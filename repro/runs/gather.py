@@ -1,7 +1,7 @@
 """From stored runs to the evidence of one paper."""
 
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator
 from itertools import groupby
 
 import numpy as np
@@ -30,36 +30,8 @@ def gather(
     Tasks of one cell stand together, so that no more than one cell's records are held at once.
     """
     studies = tuple(besides)
-    known = known_experiments(paper, studies)
-    followed = followed_cells(paper, studies)
-    runs: dict[Cell, Runs] = {}
-    own = (task for task in tasks if task.paper == paper.key and task.experiment in known)
-    for cell, group in groupby(own, key=cell_of):
-        found = _whole(
-            _noted(store.records(group), note),
-            known[cell[0]].runs,
-            follow=cell in followed,
-            measure=is_measured(known[cell[0]], *cell[1:]),
-        )
-        if found:
-            runs[cell] = found
-    return evidence_of(paper, studies, runs)
-
-
-def evidence_of(paper: Paper, besides: Iterable[Study], runs: Mapping[Cell, Runs]) -> Evidence:
-    """Return runs of a paper and of what was run besides as evidence."""
-    others = (study.experiment for study in besides)
-    return Evidence(paper.key, (*others, *paper.experiments), runs)
-
-
-def known_experiments(paper: Paper, besides: Iterable[Study]) -> dict[str, Experiment]:
-    """Return by name what is run of a paper and besides."""
-    others = (study.experiment for study in besides)
-    return {experiment.name: experiment for experiment in (*paper.experiments, *others)}
-
-
-def followed_cells(paper: Paper, besides: Iterable[Study]) -> frozenset[Cell]:
-    """Return the cells whose searches claims follow, and not where they end alone."""
+    others = tuple(study.experiment for study in studies)
+    known = {experiment.name: experiment for experiment in (*paper.experiments, *others)}
     followed = {
         cell
         for claim in paper.claims
@@ -67,12 +39,24 @@ def followed_cells(paper: Paper, besides: Iterable[Study]) -> frozenset[Cell]:
         for cell in claim.measure.cells()
     }
     # under another reading a claim follows the searches of that reading
-    return frozenset(followed) | {
+    followed |= {
         (study.experiment.name, problem, algorithm)
-        for study in besides
+        for study in studies
         for experiment, problem, algorithm in followed
         if study.kind == "reading" and study.of == experiment
     }
+    runs: dict[Cell, Runs] = {}
+    own = (task for task in tasks if task.paper == paper.key and task.experiment in known)
+    for cell, group in groupby(own, key=cell_of):
+        found = _whole(
+            _noted(store.records(group), note),
+            known[cell[0]].runs,
+            follow=cell in followed,
+            measure=_is_measured(known[cell[0]], *cell[1:]),
+        )
+        if found:
+            runs[cell] = found
+    return Evidence(paper.key, (*others, *paper.experiments), runs)
 
 
 def _noted(records: Iterable[Record], note: Callable[[Record], None]) -> Iterator[Record]:
@@ -86,7 +70,7 @@ def cell_of(task: Task) -> Cell:
     return task.experiment, task.problem, task.algorithm
 
 
-def is_measured(experiment: Experiment, problem: str, algorithm: str) -> bool:
+def _is_measured(experiment: Experiment, problem: str, algorithm: str) -> bool:
     """Whether more is asked of the points where runs end than what they cost."""
     search = experiment.algorithms[algorithm]
     leaves = isinstance(search, LeavesBox) and search.leaves_box

@@ -11,7 +11,6 @@ from repro.runs.run import Record
 from repro.runs.studies import Study, studies, study_name
 
 PROTOCOL = "protocol"
-NUMBERS = ("repeat", "run", "cost", "evaluations", "seconds")
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,16 +57,6 @@ class RawRuns:
                 place = self._places.get(task.experiment, (PROTOCOL, task.experiment))
                 self._cells[key] = RawCell(*place, task.problem, task.algorithm)
             self._cells[key].note(record)
-
-    def add(self, cells: Iterable[RawCell]) -> None:
-        """Keep what was noted of cells by another."""
-        for each in cells:
-            key = (ran_as(each.study, each.experiment), each.problem, each.algorithm)
-            own = self._cells.setdefault(
-                key, RawCell(each.study, each.experiment, each.problem, each.algorithm)
-            )
-            for name in NUMBERS:
-                getattr(own, name).extend(getattr(each, name))
 
     def cells(self) -> tuple[RawCell, ...]:
         """Return the cells in the order of their first record."""
