@@ -1,8 +1,9 @@
-"""What a page says, whichever of its words are links."""
+"""A page without the links to its words, for tests of what its sentences say."""
 
 import re
 
 
 def unlinked(page: str) -> str:
-    """Return a page, HTML or Markdown, with the texts of its links in their place."""
-    return re.sub(r"\[([^\]\n]*)\]\([^)\n]*\)", r"\1", re.sub(r"</?a\b[^>]*>", "", page))
+    """Return a page of either kind without links to the glossary, or to words of its own."""
+    page = re.sub(r'<a class="term" href="[^"]*">(.*?)</a>', r"\1", page)
+    return re.sub(r"\[([^]]*)\]\((?:glossary\.md#|#word-)[^)]*\)", r"\1", page)

@@ -18,6 +18,7 @@ from repro.tables.auditing import audit_text
 from repro.tables.published import PublishedTable
 from repro.tables.rows import AuditRow
 from tests.small_papers import PAPER, TABLE, let_be_known
+from tests.unlinked import unlinked
 
 PAGE = PublishedTable.read("""
     Table 1, p. 5
@@ -183,7 +184,7 @@ def test_what_was_read_and_guessed_is_printed_and_stands_on_the_page(
     assert "impossible: page2020, Table 1, F1 Std, Walk: 10 runs with best 1.106E+00" in out
     assert f"{read}\n  told: n = 10 as told (runs)\n" in out
     for page in ("page2020.audit.html", "page2020.md"):
-        text = (tmp_path / "reports" / page).read_text(encoding="utf-8")
+        text = unlinked((tmp_path / "reports" / page).read_text(encoding="utf-8"))
         assert read in text
         assert "guess: minimisation (maximise)" in text
         assert "6.53 times the bound" in text
