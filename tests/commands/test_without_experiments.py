@@ -1,6 +1,8 @@
 """What commands say of a paper that runs nothing."""
 
 import re
+import sys
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
@@ -29,7 +31,7 @@ GAP = Gap(what="its walk", where="p. 3", because="its steps are not printed")
 
 
 @pytest.fixture(autouse=True)
-def folder(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def folder(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[None]:
     left = every_cell(
         TABLE, of=EXPERIMENT, rows=("problem", "statistic"), columns="algorithm",
         within=Percent(25), without={("bowl std", "wide"): GAP},
@@ -37,6 +39,9 @@ def folder(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     partly = replace(PAPER, key="partly2020", claims=left, gaps=(GAP,))
     let_be_known(monkeypatch, ALONE, EMPTY, partly)
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(sys, "path", [*sys.path])
+    yield
+    sys.modules.pop("mine", None)
 
 
 def told(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, list[str], list[str]]:
