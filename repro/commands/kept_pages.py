@@ -9,7 +9,7 @@ import base64
 import hashlib
 import json
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
@@ -27,8 +27,6 @@ from repro.runs.plan import Task
 from repro.runs.store.store import Store
 from repro.runs.studies import studies
 
-_NO_ROWS = "none"
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Extent:
@@ -41,16 +39,12 @@ class Extent:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Request:
-    """A paper whose pages are asked for, what gives its tasks, and what it is called.
-
-    `rows` is a digest of what the store has of it, "" where that is not known.
-    """
+    """A paper whose pages are asked for, what gives its tasks, and what it is called."""
 
     paper: Paper
     tasks: Callable[[], Sequence[Task]]
     extent: Extent
     called: str = ""
-    rows: str = ""
 
 
 def extent_of(tasks: Sequence[Task]) -> Extent:
@@ -74,20 +68,20 @@ def planned_extent(
 
 
 def names_of(
-    asked: Sequence[Request], places: Mapping[str, Path], known: Iterable[str]
+    store: Store, asked: Sequence[Request], places: Mapping[str, Path], known: Iterable[str]
 ) -> dict[str, str]:
     """Return by key the names under which pages are kept; of papers of this house alone."""
     own = {
         each.paper.key: place
         for each in asked
-        if each.rows
-        and (place := places.get(each.paper.key))
-        and of_this_house([place])
-        and place.exists()
+        if (place := places.get(each.paper.key)) and of_this_house([place]) and place.exists()
     }
+    rows = rows_of_papers(store) if own else None
+    if rows is None:
+        return {}
     keys = {*known, *(each.paper.key for each in asked)}
     return {
-        each.paper.key: name_of(each, declared_by(own[each.paper.key], keys))
+        each.paper.key: name_of(each, declared_by(own[each.paper.key], keys), rows)
         for each in asked
         if each.paper.key in own
     }
@@ -112,10 +106,10 @@ def declared_by(place: Path, known: Iterable[str]) -> dict[str, bytes]:
     return {str(path): path.read_bytes() for path in sorted(own)}
 
 
-def name_of(asked: Request, files: Mapping[str, bytes]) -> str:
+def name_of(asked: Request, files: Mapping[str, bytes], rows: Mapping[str, str]) -> str:
     """Return a digest of all that the pages of a paper follow from."""
     key = asked.paper.key
-    said = (*_surroundings(), key, asked.called, str(asked.extent), asked.rows)
+    said = (*_surroundings(), key, asked.called, str(asked.extent), rows.get(key, ""))
     digest = hashlib.sha256("\0".join(said).encode())
     for name, content in files.items():
         digest.update(f"\0{name}\0{len(content)}\0".encode())
@@ -128,16 +122,7 @@ def _surroundings() -> tuple[str, ...]:
     return (*(tree(Path(folder)).hex() for folder in repro.__path__), *installed(), *machine())
 
 
-def with_rows(store: Store, asked: Sequence[Request]) -> list[Request]:
-    """Return requests that say what the store has of each paper by now."""
-    rows = _rows_of_papers(store)
-    return [
-        replace(each, rows="" if rows is None else rows.get(each.paper.key, _NO_ROWS))
-        for each in asked
-    ]
-
-
-def _rows_of_papers(store: Store) -> Mapping[str, str] | None:
+def rows_of_papers(store: Store) -> Mapping[str, str] | None:
     """Return a digest of what the store has of each paper; None while somebody writes there.
 
     They are kept by a digest of the whole file, which is read faster than its rows.

@@ -8,14 +8,7 @@ from pathlib import Path
 from types import MappingProxyType
 
 from repro.commands.kept_listing import FOLDER
-from repro.commands.kept_pages import (
-    Request,
-    extent_of,
-    names_of,
-    packed,
-    unpacked,
-    with_rows,
-)
+from repro.commands.kept_pages import Request, extent_of, names_of, packed, unpacked
 from repro.commands.shown_rows import warn
 from repro.judge.judgement import Judgement, judge
 from repro.model.evidence import Cell, Runs
@@ -94,13 +87,12 @@ def made_pages(
 
     It is the same to the last bit wherever it comes from.
     """
-    asked = with_rows(store, asked)
-    names = names_of(asked, places, known)
+    names = names_of(store, asked, places, known)
     found = {key: find(store.folder / FOLDER, name) for key, name in names.items()}
     left = [each for each in asked if found.get(each.paper.key) is None]
     made = dict(_made(store, left, run))
     if run and made:  # runs were made meanwhile, on which the pages rest
-        names = names_of(with_rows(store, left), places, known)
+        names = names_of(store, left, places, known)
     for key in made.keys() & names.keys():
         keep(store.folder / FOLDER, names[key], made[key])
     found |= made

@@ -28,7 +28,7 @@ def rank_sums(x: Vector, y: Vector) -> tuple[Vector, NDArray[np.bool_]]:
     """Return two-sided p-values, row by row, and whether x ranks lower than y.
 
     Shapes (rows, n) and (rows, m). By the normal approximation with tie and continuity correction:
-    scipy's `mannwhitneyu(method="asymptotic")` to the last bit, in a quarter of its time: ranks
+    scipy's `mannwhitneyu(method="asymptotic")` to the last bit, in less of its time: ranks
     are summed by ties, and such sums are exact in whatever order.
     """
     from scipy.special import ndtr  # noqa: PLC0415 (slow to load)

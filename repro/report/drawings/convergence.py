@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
+from repro.functions import BenchmarkProblem
 from repro.model.evidence import Evidence
 from repro.model.figures import Convergence
 from repro.report.drawings.style import (
@@ -21,7 +22,6 @@ from repro.report.drawings.style import (
     panels_two_abreast,
 )
 from repro.report.words import number
-from repro.robotics import MinimumTime, MinimumTimeSpline
 
 Vector = NDArray[np.float64]
 MOST_POINTS = 3000  # in all curves together, which keeps a drawing of many panels light
@@ -115,16 +115,12 @@ def convergence_plot(figure: Convergence, evidence: Evidence) -> Plot | None:
         if any(name in panel for panel in curves.values())
     ]
     canvas, places = panels_two_abreast(len(curves), height=1.7, legend=legend, gaps=(0.62, 0.62))
-    timed = {
-        name
-        for name, problem in experiment.problems.items()
-        if isinstance(problem, MinimumTime | MinimumTimeSpline)
-    }
     for axes, (problem, panel) in zip(places, curves.items(), strict=True):
         draw_curves(axes, panel, names, experiment.proposed)
-        axes.set_title(f"{problem} [s]" if problem in timed else problem)
+        axes.set_title(problem)
+    bare = all(isinstance(experiment.problems[name], BenchmarkProblem) for name in curves)
     for axes in places[::2]:
-        name_left_axis(axes, "best cost" if timed else "best cost (no unit)")
+        name_left_axis(axes, "best cost (no unit)" if bare else "best cost")
     for axes in places[-2:]:
         axes.set_xlabel("iteration")
     return Plot(canvas=canvas, description=_description(curves, missing), frame=_frame(curves))

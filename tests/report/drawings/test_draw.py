@@ -249,6 +249,15 @@ def test_a_hostile_name_is_shown_as_text(evidence: Evidence) -> None:
     assert {"]]>", *names} <= set(texts(drawn))
 
 
+def test_costs_of_functions_have_no_unit_and_nothing_is_said_of_those_of_motions(
+    evidence: Evidence,
+) -> None:
+    motions = Convergence(label="a", caption="b", experiment="motion")
+
+    assert "best cost (no unit)" in texts(draw(CONVERGENCE, evidence, "a"))
+    assert "best cost" in texts(draw(motions, evidence, "a"))
+
+
 @pytest.mark.parametrize("identifier", ["", "1a", 'a" onload="x', "a b"])
 def test_an_identifier_that_is_none_is_refused(identifier: str) -> None:
     with pytest.raises(InputError, match="identifier"):
