@@ -25,7 +25,7 @@ BRANCH_AND_BOUND = (
     "branch and bound over the durations: the velocity limits are linear in them, the acceleration "
     "limits cubic with a chord as their linear bound in a box; a rational combination of both "
     "bounds the sum in {boxes} from below, and a motion, lengthened a "
-    "little, is proved to keep every limit by Bernstein coefficients in rational numbers; u runs "
+    "little, is proved to keep every limit by Bernstein coefficients in rational numbers; u goes "
     "from 0 to 1 in each segment"
 )
 
