@@ -3,10 +3,13 @@
 # ///
 """What can be done here; `nox -l` lists it."""
 
+import contextlib
 import json
 import os
 import pathlib
 import shutil
+import time
+from collections.abc import Iterator
 
 import nox
 
@@ -41,6 +44,17 @@ def _install(session: nox.Session, lock: str) -> None:
     session.install("--no-deps", "--no-build-isolation", "-e", ".")
 
 
+@contextlib.contextmanager
+def _noted(command: str, *, whole: bool = True) -> Iterator[None]:
+    """Note for the benchmarks how long a whole command took, unless it fails."""
+    begun = time.monotonic()
+    yield
+    if whole:
+        took = f"{time.monotonic() - begun:.1f}\t{time.strftime('%Y-%m-%d')}"
+        with pathlib.Path(".nox/took.tsv").open("a", encoding="utf-8") as file:
+            file.write(f"{command}\t{took}\n")
+
+
 def _readme(session: nox.Session) -> None:
     parts = ("reports/finding.md", "reports/verdicts.md")
     session.run("python", "-m", "repro.report.readme", "README.md", *parts)
@@ -49,10 +63,12 @@ def _readme(session: nox.Session) -> None:
 @nox.session
 def reproduce(session: nox.Session) -> None:
     """Run every paper's protocol as far as it is missing, then write reports/ (arguments go on)."""
-    _install(session, "run")
-    session.run("repro", "reproduce", *session.posargs, env=ONE_THREAD)
-    if not session.posargs:
-        _readme(session)
+    command = " ".join(("nox -s reproduce", *(("--", *session.posargs) if session.posargs else ())))
+    with _noted(command, whole=not pathlib.Path(".repro").exists()):
+        _install(session, "run")
+        session.run("repro", "reproduce", *session.posargs, env=ONE_THREAD)
+        if not session.posargs:
+            _readme(session)
 
 
 @nox.session
@@ -109,10 +125,11 @@ def again(session: nox.Session) -> None:
 @nox.session
 def tests(session: nox.Session) -> None:
     """Run the tests, a full-size re-run of the papers' protocols among them."""
-    _install(session, "test")
-    session.install("--require-hashes", "--no-deps", "-r", "requirements/urdf.lock")
-    kinds = ("-m", "not browser and not cluster and not adapters")
-    session.run("pytest", *kinds, *SPREAD, *session.posargs, env=TESTING)
+    with _noted("nox -s tests", whole=not session.posargs):
+        _install(session, "test")
+        session.install("--require-hashes", "--no-deps", "-r", "requirements/urdf.lock")
+        kinds = ("-m", "not browser and not cluster and not adapters")
+        session.run("pytest", *kinds, *SPREAD, *session.posargs, env=TESTING)
 
 
 @nox.session(venv_backend="uv")  # pip knows no lowest versions
@@ -267,9 +284,9 @@ def bundle(session: nox.Session) -> None:
 
 @nox.session
 def scale(session: nox.Session) -> None:
-    """Measure what planning, storing and judging cost at 10^4, 10^5 and 10^6 made-up records."""
-    _install(session, "test")
-    session.run("python", "benchmarks/scale.py", *session.posargs, env={"PYTHONPATH": "."})
+    """Measure studies of 10^4, 10^5 and 10^6 short runs (-- RUNS…, --dask ADDRESS)."""
+    _install(session, "cluster")
+    session.run("python", "-m", "benchmarks.scale", *session.posargs, env=ONE_THREAD)
 
 
 @nox.session

@@ -6,6 +6,7 @@ import pytest
 
 from benchmarks.chart import chart
 from benchmarks.results import Results
+from benchmarks.sessions import SESSIONS, last_runs
 
 _RESULTS = pytest.StashKey[Results]()
 
@@ -23,6 +24,12 @@ def results(pytestconfig: pytest.Config) -> Results:
     return pytestconfig.stash[_RESULTS]
 
 
+@pytest.fixture(scope="session")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return where whole calls have their stores, "first" and "second", and what is compiled."""
+    return tmp_path_factory.mktemp("engine")
+
+
 @pytest.fixture(autouse=True)
 def _without_garbage_collection() -> Iterator[None]:
     gc.collect()
@@ -34,6 +41,8 @@ def _without_garbage_collection() -> Iterator[None]:
 def pytest_sessionfinish(session: pytest.Session) -> None:
     page, results = session.config.getoption("--results"), session.config.stash[_RESULTS]
     if page and results.rows:
+        for row in last_runs():
+            results.add(SESSIONS, *row)
         page.write_text(results.text(), encoding="utf-8")
         if results.curves:
             page.with_name("cost.svg").write_text(chart(results.curves), encoding="utf-8")

@@ -1,149 +1,159 @@
-"""What planning, storing and judging cost at 10^4, 10^5 and 10^6 records that nobody ran.
+"""What a study of 10^4 to 10^7 short runs costs, step by step.
 
-`python benchmarks/scale.py [RECORDS…]` prints a table; each step has a process of its own, so that
-its memory, beyond that of a fresh process, is its own. Fails where planning takes 30 s or judging
-60 s.
+`python benchmarks/scale.py [RUNS…] [--dask ADDRESS]` plans a made-up paper, makes its runs (here,
+or on a Dask cluster that exists already), asks what is missing, judges and writes the pages, and
+prints a table. Problems and repeats grow alike, with the root of the number of runs. Each step has
+a process of its own, so that its memory, beyond that of a fresh process, is its own.
 """
 
+import argparse
 import json
+import math
 import resource
 import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable, Iterator
+from argparse import Namespace
+from collections.abc import Callable, Sequence
 from dataclasses import replace
-from itertools import islice
 from pathlib import Path
 
 import numpy as np
 
-from repro.judge.findings import findings_of
+from repro.commands.running import run_lacking
+from repro.commands.written_pages import write_pages
+from repro.functions import FUNCTIONS
 from repro.model.cells import every_cell
 from repro.model.paper import Paper
 from repro.model.tolerances import Percent
-from repro.runs.gather import gather
-from repro.runs.plan import Task, plan
-from repro.runs.run import Record
+from repro.optimisers import PSO, WOA
+from repro.runs.plan import Task, planned
 from repro.runs.store.store import Store
+from repro.runs.workers.local import usable_cores
 from repro.tables.published import PublishedTable
-from tests.small_papers import EXPERIMENT, PAPER, Bowl, Guessing
+from tests.small_papers import EXPERIMENT, PAPER
 
-RUNS, REPEATS, ITERATIONS = 30, 10, 50
-CELLS_PER_ROW = 2
-AT_ONCE = 500
-LIMITS = {"plan": 30.0, "judge": 60.0}  # s, at 10^6
+RUNS, ITERATIONS, POPULATION = 30, 50, 4
+ALGORITHMS = {"WOA": WOA(), "PSO": PSO()}
+SIZES = (10**4, 10**5, 10**6)
 
 
-def paper_of(records: int) -> Paper:
-    """Return a paper whose protocol, ten times over, is about so many runs, each cell claimed."""
-    rows = max(1, records // (RUNS * REPEATS * CELLS_PER_ROW))
-    problems = {f"bowl {k}": Bowl(centre=(k / rows, -0.25)) for k in range(rows)}
+def study_of(runs: int) -> tuple[Paper, int]:
+    """Return a paper, each cell of its table claimed, and how often it makes about so many runs."""
+    rows = max(1, round(math.sqrt(runs / 100)))
+    problem = FUNCTIONS["sphere"].problem(2)
     experiment = replace(
         EXPERIMENT,
-        problems=problems,
-        algorithms={"guess": Guessing(), "wide": Guessing(width=4.0)},
+        problems={f"sphere {k}": problem for k in range(rows)},
+        algorithms=ALGORITHMS,
+        proposed="WOA",
+        population=POPULATION,
         iterations=ITERATIONS,
         runs=RUNS,
     )
-    lines = "\n".join(f"{name} | mean || 0.05 | 0.5" for name in problems)
-    head = "Table 1, p. 3 (30 runs)\nproblem | statistic || guess | wide\n"
+    lines = "\n".join(f"{name} | mean || 0.05 | 0.5" for name in experiment.problems)
+    head = f"Table 1, p. 3 ({RUNS} runs)\nproblem | statistic || {' | '.join(ALGORITHMS)}\n"
     table = PublishedTable.read(head + lines)
     claims = every_cell(
         table, of=experiment, rows=("problem", "statistic"), columns="algorithm", within=Percent(25)
     )
-    return replace(PAPER, experiments=(experiment,), results=(table,), claims=claims)
+    paper = replace(PAPER, experiments=(experiment,), results=(table,), claims=claims)
+    return paper, max(1, round(runs / (RUNS * rows * len(ALGORITHMS))))
 
 
-def invented(tasks: tuple[Task, ...]) -> Iterator[Record]:
-    """Yield a record for each task, out of thin air."""
-    rng = np.random.default_rng(1)
-    for task in tasks:
-        history = np.sort(rng.random(ITERATIONS))[::-1]
-        yield Record(
-            task=task,
-            cost=float(history[-1]),
-            x=rng.random(2),
-            history=history,
-            evaluations=ITERATIONS * task.population,
-            seconds=0.01,
-        )
+def _plan(_store: Store, _paper: Paper, tasks: Sequence[Task], _dask: str) -> None:
+    for _ in tasks:
+        pass
 
 
-def measured(step: str, records: int, folder: Path) -> tuple[float, float, int]:
-    """Return the seconds of one step, by the wall and of the processor, and its records."""
-    paper = paper_of(records)
-    start = time.perf_counter(), time.process_time()
-    tasks = plan([paper], REPEATS)
-    if step != "plan":
-        with Store(folder) as store:
-            start = time.perf_counter(), time.process_time()
-            STEPS[step](store, paper, tasks)
-    return time.perf_counter() - start[0], time.process_time() - start[1], len(tasks)
+def _run(store: Store, _paper: Paper, tasks: Sequence[Task], dask: str) -> None:
+    options = Namespace(dask=dask, workers=usable_cores())
+    if run_lacking(store, tasks, options, lambda *_: None):
+        sys.exit("a run failed")
 
 
-def _store(store: Store, _paper: Paper, tasks: tuple[Task, ...]) -> None:
-    store.begin({})
-    records = invented(tasks)
-    while batch := list(islice(records, AT_ONCE)):
-        store.add(batch)
+def _resume(store: Store, _paper: Paper, tasks: Sequence[Task], _dask: str) -> None:
+    if any(store.lacking(tasks)):
+        sys.exit("runs are missing")
 
 
-def _resume(store: Store, _paper: Paper, tasks: tuple[Task, ...]) -> None:
-    if store.missing(tasks):
-        sys.exit("records are missing")
+def _report(store: Store, paper: Paper, tasks: Sequence[Task], _dask: str) -> None:
+    results = write_pages(store, [paper], tasks, store.folder / "pages", [paper.key])
+    judged = sum(len(each["findings"]) for each in results["papers"])
+    if judged != len(paper.claims):
+        sys.exit(f"{judged} claims of {len(paper.claims)} were judged")
 
 
-def _judge(store: Store, paper: Paper, tasks: tuple[Task, ...]) -> None:
-    findings = findings_of(paper.claims, gather(store, paper, tasks))
-    if len(findings) != len(paper.claims):
-        sys.exit("a claim was not judged")
-
-
-STEPS: dict[str, Callable[[Store, Paper, tuple[Task, ...]], None]] = {
-    "store": _store,
+STEPS: dict[str, Callable[[Store, Paper, Sequence[Task], str], None]] = {
+    "plan": _plan,
+    "run": _run,
     "resume": _resume,
-    "judge": _judge,
+    "report": _report,
 }
 
 
-def _report(step: str, records: int, folder: Path) -> None:
-    memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
-    figures = measured(step, records, folder)
-    memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024 - memory
-    sys.stdout.write(json.dumps([*figures, memory]))
+def measured(step: str, runs: int, folder: Path, dask: str = "") -> dict[str, float]:
+    """Return what one step took in a process of its own: s, processor s, MB, and how many runs."""
+    call = (sys.executable, "-m", "benchmarks.scale", str(runs), "--step", step)
+    told = subprocess.run(
+        (*call, "--folder", str(folder), "--dask", dask), stdout=subprocess.PIPE, check=True
+    ).stdout
+    found: dict[str, float] = json.loads(told)
+    return found
 
 
-def main() -> int:
-    """Print the table and return 1 where a limit is broken."""
-    sizes = [int(float(size)) for size in sys.argv[1:]] or [10**4, 10**5, 10**6]
-    broken: list[str] = []
-    sys.stdout.write(
-        "| records | step | s | CPU s | CPU µs per record | MB |\n|---|---|---|---|---|---|\n"
-    )
-    for size in sizes:
+def exponent(taken: Sequence[tuple[float, float]]) -> float:
+    """Return the exponent of seconds by runs, of a straight line through their logarithms."""
+    runs, seconds = np.log(np.array(taken)).T
+    return float(np.polyfit(runs, seconds, 1)[0])
+
+
+def _measure(step: str, runs: int, folder: Path, dask: str) -> None:
+    memory = _peak()
+    paper, repeats = study_of(runs)
+    with Store(folder) as store:
+        start = time.perf_counter(), time.process_time()
+        tasks = planned([paper], repeats, protocol_only=True)
+        STEPS[step](store, paper, tasks, dask)
+        taken = time.perf_counter() - start[0], time.process_time() - start[1]
+    names = ("seconds", "processor", "memory", "runs")
+    told = dict(zip(names, (*taken, _peak() - memory, len(tasks)), strict=True))
+    sys.stdout.write(json.dumps(told))
+
+
+def _peak() -> float:
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024  # MB
+
+
+def main() -> None:
+    """Print the table, and the exponent of each step."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("runs", nargs="*", type=float, default=SIZES)
+    parser.add_argument("--dask", default="", metavar="ADDRESS")
+    parser.add_argument("--step", choices=STEPS)
+    parser.add_argument("--folder", type=Path)
+    options = parser.parse_args()
+    if options.step:
+        _measure(options.step, int(options.runs[0]), options.folder, options.dask)
+        return
+    sys.stdout.write("| runs | step | s | µs a run | MB |\n| --- | --- | --- | --- | --- |\n")
+    taken: dict[str, list[tuple[float, float]]] = {step: [] for step in STEPS}
+    for runs in map(int, options.runs):
         with tempfile.TemporaryDirectory() as folder:
-            for step in ("plan", *STEPS):
-                told = subprocess.run(
-                    (sys.executable, __file__, step, str(size), folder),
-                    capture_output=True,
-                    check=True,
-                ).stdout
-                wall, seconds, count, memory = json.loads(told)
+            for step in STEPS:
+                found = measured(step, runs, Path(folder), options.dask)
+                count, seconds = found["runs"], found["seconds"]
+                taken[step].append((count, seconds))
                 sys.stdout.write(
-                    f"| {count} | {step} | {wall:.1f} | {seconds:.1f} "
-                    f"| {1e6 * seconds / count:.0f} | {memory:.0f} |\n"
+                    f"| {count:.0f} | {step} | {seconds:.1f} | {1e6 * seconds / count:.0f} "
+                    f"| {found['memory']:.0f} |\n"
                 )
                 sys.stdout.flush()
-                # of the processor: what else a machine does is no cost of ours
-                if seconds > LIMITS.get(step, float("inf")):
-                    broken.append(f"{step} of {count} took {seconds:.0f} s")
-    sys.stderr.writelines(f"{line}\n" for line in broken)
-    return 1 if broken else 0
+    if len(options.runs) > 1:
+        parts = (f"{step} {exponent(points):.2f}" for step, points in taken.items())
+        sys.stdout.write(f"\nexponent of the time: {', '.join(parts)}\n")
 
 
 if __name__ == "__main__":
-    if len(sys.argv) == 4 and sys.argv[1] in ("plan", *STEPS):
-        _report(sys.argv[1], int(sys.argv[2]), Path(sys.argv[3]))
-    else:
-        sys.exit(main())
+    main()

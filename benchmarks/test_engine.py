@@ -71,11 +71,6 @@ CORES = Section(
 )
 
 
-@pytest.fixture(scope="module")
-def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return tmp_path_factory.mktemp("engine")
-
-
 def reproduce(folder: Path, store: str) -> Callable[[], object]:
     command = (sys.executable, "-m", "repro", "reproduce", "--repeats", "1")
     places = ("--store", folder / store, "--reports", folder / f"{store} reports")

@@ -14,7 +14,7 @@ from repro.commands.written_pages import made_pages, write_made
 from repro.errors import InputError
 from repro.model.paper import Paper
 from repro.report.earlier import check_folder
-from repro.runs.plan import check_repeats, plan
+from repro.runs.plan import check_repeats, planned
 from repro.runs.store.store import Store
 from repro.runs.whole_files import usable_folder
 
@@ -58,7 +58,7 @@ def _asked(paper: Paper, options: Namespace) -> Request:
     only = {"protocol_only": options.protocol_only}
     return Request(
         paper=paper,
-        tasks=partial(plan, [paper], options.repeats, options.master_seed, **only),
+        tasks=partial(planned, [paper], options.repeats, options.master_seed, **only),
         extent=planned_extent(paper, options.repeats, options.master_seed, **only),
         called=options.called.get(paper.key, ""),
     )

@@ -19,7 +19,7 @@ from repro.report.pages import made_of
 from repro.report.results import Json, Made
 from repro.report.writing import write_report
 from repro.runs.gather import cell_of, gather
-from repro.runs.plan import Task, deeper_tasks
+from repro.runs.plan import Task, deeper_tasks, of_paper
 from repro.runs.raw_runs import RawRuns, drawn_as
 from repro.runs.store.store import Store
 from repro.runs.studies import studies
@@ -55,7 +55,7 @@ def write_pages(
     papers from elsewhere than this checkout are called at the command line, `places` where each
     is declared: pages of those of this house are kept, and taken again while nothing changes.
     """
-    own = {paper.key: [task for task in tasks if task.paper == paper.key] for paper in chosen}
+    own = {paper.key: of_paper(tasks, paper.key) for paper in chosen}
     asked = [
         Request(
             paper=paper,
@@ -141,7 +141,7 @@ def _wanted(asked: Request, answer: bytes) -> Sequence[Task]:
     """Return the runs that a copy wants."""
     depths = {tuple(cell): depth for *cell, depth in json.loads(answer.removeprefix(_WANTS))}
     tasks = asked.tasks()
-    others = studies(asked.paper, max(task.repeat for task in tasks))
+    others = studies(asked.paper, max(asked.extent.repeats.values()))
     return deeper_tasks(asked.paper, others, depths, tasks[0].seed)
 
 
@@ -151,7 +151,7 @@ def pages(store: Store, asked: Request, run: Run | None = None) -> bytes:
     judgement = judged(store, asked.paper, tasks, run or _none)
     seed = tasks[0].seed if tasks else ""
     made = made_of(judgement, store.environments(tasks), seed, asked.called)
-    missing = len({task.key for task in tasks} - store.finished(asked.paper.key))
+    missing = sum(1 for _ in store.lacking(tasks))
     return packed(replace(made, tasks=len(tasks), missing=missing))
 
 

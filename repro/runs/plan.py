@@ -121,6 +121,10 @@ class _LongPlan(Sequence[Task]):
         at = bisect_right(self._ends, position)
         return self._cells[at].task(position - (self._ends[at - 1] if at else 0))
 
+    def of(self, paper: str) -> Sequence[Task]:
+        """Return the runs of one paper."""
+        return _held_if_short([cell for cell in self._cells if cell.paper == paper])
+
 
 def plan(
     papers: Iterable[Paper], repeats: int, seed: str = "", *, protocol_only: bool = False
@@ -155,6 +159,17 @@ def planned(
         for paper, experiment, times in (*protocols, *besides)
         for cell in _cells(paper.key, experiment, times, seed, memory)
     ]
+    return _held_if_short(cells)
+
+
+def of_paper(tasks: Sequence[Task], paper: str) -> Sequence[Task]:
+    """Return the runs of one paper among those planned; many are made again in each pass."""
+    if isinstance(tasks, _LongPlan):
+        return tasks.of(paper)
+    return tuple(task for task in tasks if task.paper == paper)
+
+
+def _held_if_short(cells: Sequence[_Cell]) -> Sequence[Task]:
     found = _LongPlan(cells)
     return tuple(found) if len(found) <= HELD else found
 

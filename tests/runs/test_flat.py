@@ -3,13 +3,17 @@
 import tracemalloc
 from collections.abc import Callable
 from concurrent.futures import Executor, Future
+from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from repro.commands.kept_pages import Request, extent_of
+from repro.commands.written_pages import pages
 from repro.runs import plan as planning
-from repro.runs.plan import Task, plan, planned
+from repro.runs.plan import Task, of_paper, plan, planned
 from repro.runs.run import Record
 from repro.runs.session import run_missing
 from repro.runs.store import questions
@@ -19,6 +23,7 @@ from tests.small_papers import PAPER
 NOTHING = np.zeros(1)
 FEW, MANY = 100, 500  # repeats
 GROWTH = 1.5  # of the peak, for five times the runs
+OF_A_RUN = 400  # bytes: what is published of it, as numbers and as text; a task has 250 more
 
 
 @pytest.fixture(autouse=True)
@@ -74,6 +79,19 @@ def test_plan_that_is_not_held_is_the_one_that_is() -> None:
         long[len(long)]
 
 
+def test_runs_of_one_paper_are_the_same_whether_the_plan_is_held(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    papers = [PAPER, replace(PAPER, key="other2020")]
+    long = of_paper(planned(papers, 3), "other2020")
+
+    assert not isinstance(long, tuple)
+    assert tuple(long) == of_paper(plan(papers, 3), "other2020")
+    monkeypatch.setattr(planning, "HELD", 10**6)
+    assert of_paper(planned(papers, 3), "other2020") == tuple(long)
+    assert of_paper(planned(papers, 3), "third2020") == ()
+
+
 def test_five_times_the_runs_take_no_more_memory(tmp_path: Path) -> None:
     made(tmp_path / "first", FEW)  # loads and compiles what it needs
     few, many = (
@@ -82,3 +100,19 @@ def test_five_times_the_runs_take_no_more_memory(tmp_path: Path) -> None:
     )
 
     assert many < GROWTH * few
+
+
+def test_judging_and_writing_hold_little_of_each_run(tmp_path: Path) -> None:
+    peaks, counts = [], []
+    for repeats in (FEW, FEW, MANY):  # the first one loads and compiles what it needs
+        folder = tmp_path / str(repeats)
+        tasks = planned([PAPER], repeats)
+        made(folder, repeats)
+        request = Request(paper=PAPER, tasks=lambda tasks=tasks: tasks, extent=extent_of(tasks))  # type: ignore[misc]
+        with Store(folder, writing=False) as store:
+            peaks.append(peak(partial(pages, store, request)))
+        counts.append(len(tasks))
+
+    grown = (peaks[2] - peaks[1]) / (counts[2] - counts[1])
+
+    assert grown < OF_A_RUN

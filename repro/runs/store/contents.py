@@ -4,8 +4,10 @@ import hashlib
 import json
 import sqlite3
 from collections.abc import Iterable
+from itertools import islice
 
 from repro.runs.plan import Task
+from repro.runs.store.questions import AT_ONCE
 from repro.runs.store.row import COLUMNS
 
 
@@ -42,15 +44,11 @@ def environments(database: sqlite3.Connection, tasks: Iterable[Task]) -> list[di
 
     Raises KeyError, TypeError or ValueError where one is damaged.
     """
-    wanted: dict[str, set[str]] = {}
-    for task in tasks:
-        wanted.setdefault(task.paper, set()).add(task.key)
-    query = "select key, env from run not indexed where paper = ?"
-    used = {
-        env
-        for paper, keys in wanted.items()
-        for key, env in database.execute(query, (paper,))
-        if key in keys
-    }
+    used: set[int] = set()
+    keys = (task.key for task in tasks)
+    while some := list(islice(keys, AT_ONCE)):
+        marks = ", ".join("?" * len(some))
+        query = f"select distinct env from run where key in ({marks})"  # noqa: S608
+        used |= {env for (env,) in database.execute(query, some)}
     texts = dict(database.execute("select id, json from env").fetchall())
     return [json.loads(texts[env]) for env in sorted(used)]
