@@ -150,15 +150,21 @@ def _in_unit(problem: Spline, watch: Watch) -> SplineProof:
         lower, boxes = max(lower, bound.lower), bound.boxes
         motion, holding = bound.motion, bound.holding
     durations = _lengthened(problem, model, motion)
-    shares = problem.peak_shares(np.array(durations, dtype=np.float64)) if durations else ()
+    shares = _shares(problem, durations)
     return SplineProof(
         lower_bound=lower,
         durations=durations,
         holding=holding if durations else (),
-        acceleration_share=float(shares[1]) if durations else 0.0,
-        jerk_share=float(shares[2]) if len(shares) > 2 else None,
+        acceleration_share=shares[1] if durations else 0.0,
+        jerk_share=shares[2] if len(shares) > 2 else None,
         boxes=boxes,
     )
+
+
+def _shares(problem: Spline, durations: Rationals) -> list[float]:
+    """Return the greatest shares of each kind of limit, none where there is no motion."""
+    at = np.array(durations, dtype=np.float64)
+    return [float(share) for share in problem.peak_shares(at)] if durations else []
 
 
 def _lengthened(problem: Spline, model: Exact, motion: Vector) -> Rationals:

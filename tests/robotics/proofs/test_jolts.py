@@ -131,11 +131,9 @@ def test_rows_in_doubles_are_the_exact_ones(
 
 
 def test_limit_asks_nothing_of_a_box_in_which_time_may_stand_still() -> None:
-    falling = [
-        jolt(MODEL, 1, 0, Fraction(1, 2), sign=sign, ratio=0.0) for sign in (-1, 1)
-    ]
+    falling = [jolt(MODEL, 1, 0, Fraction(1, 2), sign=sign, ratio=0.0) for sign in (-1, 1)]
     (limit,) = (each for each in falling if each.share < 0)
     box: Box = ((Fraction(0), Fraction(10**9)),) * 3
 
-    assert limit.row(box) == ((0, 0, 0), 0)
+    assert limit.row(box) == ((Fraction(0),) * 3, Fraction(0))
     assert not jolt_rows([doubles(limit)], np.array(box, dtype=np.float64))[0].any()
