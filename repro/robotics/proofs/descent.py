@@ -1,10 +1,10 @@
 """The search for a fast motion that obeys, from which a proof starts.
 
 In each step the cubes of the acceleration limits are replaced by their tangents at the motion so
-far, so that the optimum of the linear programme obeys, and is no slower. Of a jerk limit it may
-break a little (see `jolts`), so there a step that gains nothing is halved. As such a descent ends
-in the nearest valley, it starts from the best of many directions (J. H. Halton, Numerische
-Mathematik 2 (1960) 84-90).
+far, so that the optimum of the linear programme obeys, and is no slower. A convex part of a jerk
+limit (see `jolts`) has tangents at all motions looked at so far: of it the optimum may break a
+little, which slowing it as a whole makes good. As such a descent ends in the nearest valley, it
+starts from the best of many directions (J. H. Halton, Numerische Mathematik 2 (1960) 84-90).
 """
 
 import numpy as np
@@ -19,7 +19,6 @@ from repro.robotics.proofs.watch import ENDLESS, Watch
 Vector = NDArray[np.float64]
 ROUNDS = 8  # of added limits in one step
 STEPS = 200
-HALVINGS = 20  # of a step that gains nothing, where jerk is limited
 GAIN = 1e-10  # share of the total time: the search ends when a step gains less
 DIRECTIONS = 2000  # tried from which to start
 STARTS = 4  # of them that are gone down from
@@ -83,7 +82,7 @@ def descended(
             found = solved(limits, np.ones(len(best)), around, anywhere)
             if watch.over or not limits.add_worst(found.x):
                 break
-        motion, held = _towards(problem, best, found.x), found.weights
+        motion, held = just_obeying(problem, found.x), found.weights
         gain = best.sum() - motion.sum()
         if gain <= 0.0:
             break
@@ -92,16 +91,3 @@ def descended(
             break
     known = zip(limits.known, held, strict=False)
     return best, tuple(limit for limit, weight in known if weight > 0.0)
-
-
-def _towards(problem: Spline, best: Vector, aim: Vector) -> Vector:
-    """Return the motion aimed at, or one between it and the best, slowed until it obeys."""
-    motion = just_obeying(problem, aim)
-    if jerk_of(problem) is None:
-        return motion
-    for _ in range(HALVINGS):
-        if motion.sum() < best.sum():
-            break
-        aim = (best + aim) / 2.0
-        motion = just_obeying(problem, aim)
-    return motion
