@@ -217,31 +217,24 @@ def _spline(given: Mapping[str, Any], points: Rows, limits: Mapping[str, Rows]) 
         key: text(given, key, default=default, known=("still", "repeated", "natural"))
         for key, default in (("ends", "still"), ("time_ends", "repeated"))
     }
-    _check_spline(given, joints, limits, rule["ends"])
+    _check_spline(given, joints, rule["ends"])
     _check_inside(points, limits.get("range", ()))
     spline = DirectedSpline(
         nodes=points,
         velocity=limits["velocity"],
         acceleration=limits["acceleration"],
+        jerk=limits.get("jerk"),
         durations=_box(given),
         ends=_rule(rule["ends"]),
         time_ends=_rule(rule["time_ends"]),
     )
-    if _even(spline.velocity) and _even(spline.acceleration):
+    if _even(spline.velocity) and _even(spline.acceleration) and spline.jerk is None:
         return spline.widest
     return spline
 
 
-def _check_spline(
-    given: Mapping[str, Any], joints: int, limits: Mapping[str, Rows], ends: str
-) -> None:
+def _check_spline(given: Mapping[str, Any], joints: int, ends: str) -> None:
     """Raise Faulty for what a spline does not admit."""
-    if "jerk" in limits:
-        message = (
-            "jerk: a spline's is not certified, for it is of second degree in the durations over "
-            "the fifth power of their rate; leave it out, or take another law"
-        )
-        raise Faulty(message)
     for key in ("start_velocity", "end_velocity"):
         speeds = row_of_numbers(given, key, joints)
         if speeds is not None and (any(speeds) or ends != "still"):

@@ -1,4 +1,4 @@
-"""Splines whose limits differ by direction: a joint may move up faster than down."""
+"""Splines whose limits differ by direction, and those whose jerk is limited."""
 
 from dataclasses import dataclass
 
@@ -8,7 +8,8 @@ from numpy.typing import NDArray
 from repro.determinism.compiled import jit
 from repro.errors import InputError
 from repro.robotics.bsplines import Ends, spans
-from repro.robotics.motion_checks import Rows, as_doubles, limit_pairs
+from repro.robotics.motion_checks import Rows, as_doubles, check_motion, limit_pairs
+from repro.robotics.spline_jerk import sharpest
 from repro.robotics.spline_limits import extremes, least, turning
 from repro.robotics.spline_motion import MinimumTimeSpline, slope_weights
 
@@ -17,18 +18,19 @@ Vector = NDArray[np.float64]
 
 @jit
 def _peak_shares(slopes, steps, limits):
-    """Return the greatest shares of a velocity and an acceleration limit of each motion (n, 2).
+    """Return the greatest shares of the limits of each kind of each motion (n, kinds).
 
     `slopes` (n, spans, 3) and `steps` (spans, joints, 3) are dt/du and dq/du as coefficients of 1,
-    u, u²; `limits` (2, joints, 2) have lowest and highest.
+    u, u²; `limits` (kinds, joints, 2) have lowest and highest of velocity, acceleration and, as the
+    third if at all, jerk.
     """
-    peaks = np.full((len(slopes), 2), np.inf)
+    peaks = np.full((len(slopes), len(limits)), np.inf)
     for i in range(len(slopes)):
-        fast = hard = 0.0
+        fast = hard = sharp = 0.0
         for span in range(len(steps)):
             s0, s1, s2 = slopes[i, span]
             if not least(s0, s1, s2) > 0.0:
-                fast = hard = np.inf
+                fast = hard = sharp = np.inf
                 break
             for j in range(steps.shape[1]):
                 p0, p1, p2 = steps[span, j]
@@ -37,20 +39,26 @@ def _peak_shares(slopes, steps, limits):
                 n0, n1, n2 = turning(p0, p1, p2, s0, s1, s2)
                 low, high = extremes(n0, n1, n2, s0, s1, s2, 3)
                 hard = max(hard, low / limits[1, j, 0], high / limits[1, j, 1])
+                if len(limits) == 3:
+                    low, high = sharpest(n0, n1, n2, s0, s1, s2)
+                    sharp = max(sharp, low / limits[2, j, 0], high / limits[2, j, 1])
         peaks[i, 0], peaks[i, 1] = fast, hard
+        peaks[i, 2:] = sharp
     return peaks
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DirectedSpline:
-    """A MinimumTimeSpline whose `velocity` and `acceleration` have a (lowest, highest) per joint.
+    """A MinimumTimeSpline whose limits have a (lowest, highest) per joint.
 
-    The lowest is below 0, the highest above it; all else is as it is there.
+    The lowest is below 0, the highest above it. `jerk` may be limited, too, in rad/s³; all else is
+    as it is there.
     """
 
     nodes: Rows
     velocity: Rows
     acceleration: Rows
+    jerk: Rows | None = None
     durations: tuple[float, float]
     ends: Ends = "repeated"
     time_ends: Ends = "repeated"
@@ -62,10 +70,15 @@ class DirectedSpline:
         widest = self.widest
         for name in ("nodes", "durations"):
             object.__setattr__(self, name, getattr(widest, name))
+        if self.jerk is not None:
+            pairs = limit_pairs(self.jerk, called="jerk")
+            object.__setattr__(self, "jerk", pairs)
+            most = [max(-low, high) for low, high in pairs]
+            check_motion(self.nodes, {"jerk": most}, self.durations, called="nodes")
 
     @property
     def widest(self) -> MinimumTimeSpline:
-        """The spline whose limits in both directions are the wider one."""
+        """The spline whose limits in both directions are the wider one, with any jerk."""
         return MinimumTimeSpline(
             nodes=self.nodes,
             velocity=tuple(max(-low, high) for low, high in self.velocity),
@@ -81,10 +94,10 @@ class DirectedSpline:
         return len(self.nodes) - 1
 
     def peak_shares(self, points: Vector) -> Vector:
-        """Return the peaks of motions (…, segments) as shares of the limits, shape (…, 2).
+        """Return the peaks of motions (…, segments) as shares of the limits, shape (…, 2 or 3).
 
-        Of velocity and acceleration, each by the limit in its direction; infinite where time runs
-        backwards.
+        Of velocity, acceleration and jerk where it is limited, each by the limit in its direction;
+        infinite where time runs backwards.
         """
         points = as_doubles(points, called="durations")
         if points.shape[-1:] != (self.segments,):
@@ -96,9 +109,9 @@ class DirectedSpline:
         peaks: Vector = _peak_shares(
             np.ascontiguousarray(slopes.transpose(1, 0, 2)),
             np.ascontiguousarray(steps.transpose(0, 2, 1)),
-            np.array([self.velocity, self.acceleration]),
+            np.array([self.velocity, self.acceleration, *([self.jerk] if self.jerk else [])]),
         )
-        return peaks.reshape(*points.shape[:-1], 2)
+        return peaks.reshape(*points.shape[:-1], peaks.shape[-1])
 
     def obeys(self, durations: Vector) -> bool:
         """Return whether a motion keeps every limit, in doubles."""
@@ -107,6 +120,11 @@ class DirectedSpline:
 
 Spline = MinimumTimeSpline | DirectedSpline
 Limits = tuple[float | tuple[float, ...], ...]  # of either kind of spline, per joint
+
+
+def jerk_of(problem: Spline) -> Rows | None:
+    """Return the limits of the jerk, None where it is free."""
+    return problem.jerk if isinstance(problem, DirectedSpline) else None
 
 
 def sides(limits: Limits) -> Rows:

@@ -34,6 +34,7 @@ FILES = (
     {**FILE, "law": 9, "velocity": [[-90, 180]] * 3, "start_velocity": [1, 0, 0], **BOX},
     {**FILE, "law": "spline", "ends": "natural", "time_ends": "repeated", **BOX, **ARM},
     {**FILE, "law": "spline", "acceleration": [[-9, 300], [-300, 9], [-300, 300]]},
+    {**FILE, "law": "spline", "jerk": 4000},
 )
 LISTS: list[Any] = [[], {}]
 for _ in range(200):

@@ -269,7 +269,11 @@ def test_free_durations_that_nothing_obeys_are_no_box_and_the_segment_at_fault_a
         ({"durations": "3"}, "durations: 3 must be .shortest, longest."),
         ({"durations": "[2, 1]"}, "durations: .* must be .shortest, longest."),
         ({"ends": '"still"'}, "ends is of a spline alone; law is 'quintic'"),
-        ({"law": '"spline"'}, "jerk: a spline's is not certified"),
+        ({"law": '"spline"', "jerk": "0"}, "jerk of joint 1: 0 must be above 0"),
+        ({"law": '"spline"', "jerk": "nan"}, "jerk of joint 1: nan is not a finite number"),
+        ({"law": '"spline"', "jerk": "[9, inf, 9]"}, "jerk of joint 2: inf is not a finite number"),
+        ({"law": '"spline"', "jerk": "[9, -9, 9]"}, "jerk of joint 2: -9 must be above 0"),
+        ({"law": '"spline"', "jerk": "[9, 9]"}, "jerk: 2 entries for 3 joints"),
         ({**SPLINE, "start_velocity": "[1, 0, 0]"}, "start_velocity: a spline has none of its own"),
         ({**SPLINE, "ends": '"free"'}, "ends: 'free' is not one of still, repeated, natural"),
         ({"convention": '"standard"'}, "convention belongs to a D-H table"),
@@ -325,6 +329,7 @@ def test_one_file_is_written_for_one_motion(
         ({**SPLINE, "velocity": "[[-180, 180], [-180, 180], [-180, 180]]"}, MinimumTimeSpline),
         ({**SPLINE, "velocity": "[[-90, 180], [-180, 180], [-180, 180]]"}, DirectedSpline),
         ({**SPLINE, "acceleration": "[[-90, 180], [-90, 90], [-9, 9]]"}, DirectedSpline),
+        ({"law": '"spline"'}, DirectedSpline),
     ],
 )
 def test_problem_is_the_plainest_that_says_it(
@@ -357,6 +362,25 @@ def test_spline_with_limits_by_direction_is_certified_sampled_and_drawn(
     assert -30 <= speed.min() < speed.max() <= 180
     assert speed.max() > 30
     assert page.read_text(encoding="utf-8").count("<svg") == 2
+
+
+def test_spline_whose_jerk_is_limited_is_certified_sampled_and_drawn(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = write(tmp_path, law='"spline"', jerk="[900, 900, 2000]", dh=TABLE)
+    page = tmp_path / "out.html"
+    code, out, _ = asked(capsys, path, "--html", page)
+    (row,) = json.loads(asked(capsys, "--json", path)[1])
+
+    assert code == 0
+    assert "pick and place: minimum " in out
+    assert re.search(r"binds: segment \d, at u = \S+: jerk of joint 1 \(limit 900 deg/s³\)", out)
+    assert "lost to jerk of joint 1: " in out
+    assert "a jerk 100 % of its own" in out
+    assert "those of the jerk" in row["method"]
+    assert row["gap"] <= 1e-5
+    assert row["beside"] == []
+    assert "jerk" in page.read_text(encoding="utf-8")
 
 
 def test_spline_that_leaves_a_range_between_waypoints_is_said_to_obey_with_no_durations(

@@ -1,6 +1,7 @@
 """Ten motions of other people's, certified, and computed a second time by plain sampling."""
 
 import importlib.util
+import re
 from itertools import pairwise
 from pathlib import Path
 
@@ -13,7 +14,7 @@ from scipy.optimize import brentq, minimize
 from repro.commands.certify_problem import certify
 from repro.commands.motion_files import MotionFile, read_motion
 from repro.judge.outside_planners import ruckig_time, toppra_time
-from repro.robotics import MinimumTime, MinimumTimeSpline
+from repro.robotics import DirectedSpline, MinimumTime, MinimumTimeSpline
 from repro.robotics.own_motion import points_of
 from repro.robotics.polynomial_motion import PolynomialMotion
 from repro.robotics.proofs.proved import FREE
@@ -150,6 +151,37 @@ def test_minimum_of_splines_is_that_of_scipy(path: Path) -> None:
     )
     assert best.fun >= (found.lower_bound or 0.0) * (1 - 1e-4)
     assert best.fun == pytest.approx(found.minimum, rel=1e-3)
+
+
+@pytest.mark.parametrize("name", ["panda_jerk", "ruckig_two_sided"])
+def test_spline_under_limits_of_others_keeps_them_all_and_meets_one(
+    name: str, tmp_path: Path
+) -> None:
+    text = (HERE / f"{name}.toml").read_text(encoding="utf-8")
+    path = tmp_path / "spline.toml"
+    path.write_text(re.sub(r"(?m)^law = .*$", 'law = "spline"', text), encoding="utf-8")
+    file = read_motion(path)
+    found = certify(file.problem)
+    assert isinstance(file.problem, DirectedSpline)
+    assert found.minimum is not None
+
+    b = np.nan_to_num(basis(4))
+    angle = control(np.array(file.problem.nodes), file.problem.ends)
+    time = control(np.concatenate([[0.0], np.cumsum(found.at)])[:, None], file.problem.time_ends)
+    worst = {}
+    for span in range(file.problem.segments):
+        q1, q2, q3 = (np.einsum("ku,kj->uj", b[m], angle[span : span + 4]) for m in (1, 2, 3))
+        t1, t2, t3 = (np.einsum("ku,kj->uj", b[m], time[span : span + 4]) for m in (1, 2, 3))
+        bend = (q2 * t1 - q1 * t2) / t1**3
+        jolt = ((q3 * t1 - q1 * t3) / t1**3 - 3.0 * bend * t2 / t1) / t1
+        # FINE ends in a knot, at which scipy's third derivative is 0 and none of this span's
+        for kind, values in (("velocity", q1 / t1), ("acceleration", bend), ("jerk", jolt[:-1])):
+            low, high = np.array(file.limits[kind]).T
+            share = np.maximum(values / low, values / high).max()
+            worst[kind] = max(worst.get(kind, 0.0), float(share))
+    assert max(worst.values()) == pytest.approx(1.0, abs=1e-5)
+    assert max(worst.values()) <= 1.0
+    assert all(kind in " ".join(found.binding) for kind, share in worst.items() if share > 0.9999)
 
 
 @pytest.mark.skipif(absent("ruckig", "toppra"), reason="the extra `references` is not installed")

@@ -64,3 +64,27 @@ def test_durations_of_another_number_of_segments_have_none_either() -> None:
 def test_limits_are_a_pair_around_zero_for_each_joint(pairs: object, fault: str) -> None:
     with pytest.raises(DeclarationError, match=fault):
         replace(DIRECTED, velocity=pairs)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("jerk", "fault"),
+    [
+        (((-1.0, 1.0),), "nodes have 2, jerk has 1"),
+        (((-1.0, 1.0), (0.0, 1.0)), r"jerk of joint 2: \(0.0, 1.0\) must be lowest < 0 < highest"),
+        (((-1.0, 1.0), (-1.0, float("nan"))), r"jerk of joint 2: \(-1.0, nan\) must be lowest"),
+        (((-1.0, float("inf")),) * 2, "jerk of joint 1 is inf"),
+        (((-1.0, 1.0), (-1e-200, 1.0)), "jerk of joint 2: -1e-200 is beyond what is computed"),
+        (((-1.0, 1.0), (-1.0, 1e200)), "jerk, row 2, number 2: 1e.200 is beyond what is computed"),
+        ((1.0, 2.0), "jerk, row 1: 1.0 is no list of numbers"),
+    ],
+)
+def test_jerk_that_cannot_be_is_refused_by_joint_and_value(jerk: object, fault: str) -> None:
+    with pytest.raises(DeclarationError, match=fault):
+        replace(DIRECTED, jerk=jerk)  # type: ignore[arg-type]
+
+
+def test_jerk_may_be_an_array() -> None:
+    limited = replace(DIRECTED, jerk=np.array([[-1.0, 2.0], [-3.0, 4.0]]))  # type: ignore[arg-type]
+
+    assert limited.jerk == ((-1.0, 2.0), (-3.0, 4.0))
+    assert hash(limited)

@@ -1,7 +1,8 @@
-"""Lower bound on the total time of a spline motion whose acceleration limits bite.
+"""Lower bound on the total time of a spline motion whose acceleration or jerk limits bite.
 
-Velocity limits are linear in the durations, acceleration limits are not (see `limit_rows`). In a
-box of durations the cubes of the latter are replaced by their chords: a linear programme, whose
+Velocity limits are linear in the durations, acceleration limits are not (see `limit_rows`), nor
+are those of the jerk (see `jolts`). In a box of durations the cubes of the acceleration limits are
+replaced by their chords, and those of the jerk likewise: a linear programme, whose
 optimum lies below that of the problem by an amount that falls with the square of the box. Boxes
 that could hold a motion faster than the best known are shrunk by such programmes and halved, until
 the bound of each is near it (R. Horst, H. Tuy, Global Optimization, 3rd ed., Springer 1996,
@@ -18,8 +19,9 @@ from numpy.typing import NDArray
 
 from repro.robotics.directed_spline import Spline
 from repro.robotics.proofs.descent import GAIN, descended, just_obeying
+from repro.robotics.proofs.jolts import Limit
 from repro.robotics.proofs.limit_pool import Limits
-from repro.robotics.proofs.limit_rows import Bend, Box, Cut, rounded_down
+from repro.robotics.proofs.limit_rows import Box, rounded_down
 from repro.robotics.proofs.linear_programmes import Optimum, proved, solved
 from repro.robotics.proofs.watch import ENDLESS, Watch
 
@@ -41,7 +43,7 @@ class Bound:
     lower: Fraction | float
     boxes: int
     motion: Vector
-    holding: tuple[Cut | Bend, ...]
+    holding: tuple[Limit, ...]
 
 
 def least_total(problem: Spline, limits: Limits, starts: Vector, watch: Watch = ENDLESS) -> Bound:
@@ -81,7 +83,7 @@ def least_total(problem: Spline, limits: Limits, starts: Vector, watch: Watch = 
 
 def _fastest(
     problem: Spline, limits: Limits, starts: Vector, watch: Watch
-) -> tuple[Vector, tuple[Cut | Bend, ...]]:
+) -> tuple[Vector, tuple[Limit, ...]]:
     """Return the best of the motions gone down to, an endless one where there is no start."""
     endless: Vector = np.full(problem.segments, math.inf)
     found = (descended(problem, limits, start, watch) for start in starts)

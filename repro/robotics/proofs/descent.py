@@ -1,17 +1,18 @@
 """The search for a fast motion that obeys, from which a proof starts.
 
 In each step the cubes of the acceleration limits are replaced by their tangents at the motion so
-far, so that the optimum of the linear programme obeys, and is no slower. As such a descent ends in
-the nearest valley, it starts from the best of many directions (J. H. Halton, Numerische Mathematik
-2 (1960) 84-90).
+far, so that the optimum of the linear programme obeys, and is no slower. A convex part of a jerk
+limit (see `jolts`) has tangents at all motions looked at so far: of it the optimum may break a
+little, which slowing it as a whole makes good. As such a descent ends in the nearest valley, it
+starts from the best of many directions (J. H. Halton, Numerische Mathematik 2 (1960) 84-90).
 """
 
 import numpy as np
 from numpy.typing import NDArray
 
-from repro.robotics.directed_spline import Spline, sides
+from repro.robotics.directed_spline import Spline, jerk_of, sides
+from repro.robotics.proofs.jolts import Limit
 from repro.robotics.proofs.limit_pool import Limits
-from repro.robotics.proofs.limit_rows import Bend, Cut
 from repro.robotics.proofs.linear_programmes import solved
 from repro.robotics.proofs.watch import ENDLESS, Watch
 
@@ -33,6 +34,8 @@ def just_obeying(problem: Spline, durations: Vector) -> Vector:
     peaks = problem.peak_shares(durations)
     whole = np.isfinite(peaks).all(axis=-1) & (durations > 0.0).all(axis=-1)
     needed = np.maximum(peaks[..., 0], np.sqrt(peaks[..., 1]))
+    if jerk_of(problem) is not None:
+        needed = np.maximum(needed, np.cbrt(peaks[..., 2]))
     scale = np.where(whole, needed, 1.0)[..., None]
     forwards = np.where(durations > 0.0, durations, 1.0)
     found = durations * np.maximum(scale, (shortest / forwards).max(axis=-1, keepdims=True))
@@ -57,12 +60,15 @@ def chords(problem: Spline) -> Vector:
     moves = np.diff(np.array(problem.nodes), axis=0)[..., None]
     fast = (moves / np.array(sides(problem.velocity))).max(axis=-1)
     hard = (moves / np.array(sides(problem.acceleration))).max(axis=-1)
-    return np.asarray(np.maximum(fast, np.sqrt(hard)).max(axis=1))
+    longest = np.maximum(fast, np.sqrt(hard))
+    if (jerk := jerk_of(problem)) is not None:
+        longest = np.maximum(longest, np.cbrt((moves / np.array(jerk)).max(axis=-1)))
+    return np.asarray(longest.max(axis=1))
 
 
 def descended(
     problem: Spline, limits: Limits, start: Vector, watch: Watch = ENDLESS
-) -> tuple[Vector, tuple[Cut | Bend, ...]]:
+) -> tuple[Vector, tuple[Limit, ...]]:
     """Return a motion from which no small change is faster, and the limits that hold it back."""
     best, held = start, np.array([])
     for _ in range(STEPS):

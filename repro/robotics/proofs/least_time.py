@@ -4,11 +4,12 @@ import math
 from collections.abc import Sequence
 
 from repro.errors import NotProvedError
-from repro.robotics.directed_spline import Spline, sides
+from repro.robotics.directed_spline import Spline, jerk_of, sides
 from repro.robotics.fastest import fastest_joints
 from repro.robotics.fixed_penalties import Cheapest, cheapest
 from repro.robotics.path_fitting import PathFitting
-from repro.robotics.proofs.limit_rows import Cut
+from repro.robotics.proofs.jolts import Limit
+from repro.robotics.proofs.limit_rows import Bend, Cut
 from repro.robotics.proofs.proved import FREE, LeastTime, box_in_words, closed, gap
 from repro.robotics.proofs.rest_to_rest_minimum import PER, rest_to_rest
 from repro.robotics.proofs.spline_minimum import SplineProof, prove, prove_within
@@ -22,11 +23,15 @@ LINEAR_PROGRAMME = (
     "every limit by Bernstein coefficients in rational numbers; u goes from 0 to 1 in each segment"
 )
 BRANCH_AND_BOUND = (
-    "branch and bound over the durations: the velocity limits are linear in them, the acceleration "
-    "limits cubic with a chord as their linear bound in a box; a rational combination of both "
-    "bounds the sum in {boxes} from below, and a motion, lengthened a "
-    "little, is proved to keep every limit by Bernstein coefficients in rational numbers; u goes "
-    "from 0 to 1 in each segment"
+    "branch and bound over the durations: the velocity limits are linear in them, {others}; "
+    "a rational combination of {all} bounds the sum in {boxes} from below, and a motion, "
+    "lengthened a little, is proved to keep every limit by Bernstein coefficients in rational "
+    "numbers; u goes from 0 to 1 in each segment"
+)
+CUBIC = "the acceleration limits cubic with a chord as their linear bound in a box"
+TO_THE_FIFTH = (
+    f"{CUBIC}, those of the jerk, divided by dt/du, have a chord of its fourth power, and a chord "
+    "or tangents of (d²t/du²)²/(dt/du)"
 )
 
 
@@ -124,7 +129,7 @@ def _spline(problem: Spline, watch: Watch | None, units: Sequence[str]) -> Least
         minimum=closed(lower, attained),
         lower_bound=lower,
         attained=attained,
-        method=_method(proof.boxes),
+        method=_method(problem, proof.boxes),
         at=tuple(map(float, proof.durations)),
         binding=(*_at_the_ends(problem, proof), *_holding(problem, proof, units)),
         box=problem.durations,
@@ -144,24 +149,33 @@ def _explanation(
         least = f"one would take {lower:.6g} s or more{by_boxes}"
         return f"No motion{among} was found that obeys; {least}."
     share = f"{100 * proof.acceleration_share:.3g} % of its limit"
+    jerk = None if proof.jerk_share is None else f"jerk {100 * proof.jerk_share:.3g} % of its own"
+    also = f", a {jerk}" if jerk else ""
     if closed(lower, attained) is None:
         return (
             f"The minimum lies between {lower:.6g} s{by_boxes}{',' if by_boxes else ''} "
-            f"and {attained:.6g} s, the shortest motion found (an acceleration reaches {share}): "
+            f"and {attained:.6g} s, the shortest motion found (an acceleration reaches "
+            f"{share}{also}): "
             f"they are {100 * (gap(lower, attained) or 0.0):.2g} % apart."
         )
     if proof.boxes:
         return (
             f"The minimum lies between {lower:.8g} s and {attained:.8g} s. An acceleration reaches "
-            f"{share}; the velocity limits alone would allow less."
+            f"{share}{also}; the velocity limits alone would allow less."
         )
-    return f"No acceleration exceeds {share}, so these limits play no part in the minimum."
+    also = f" and no {jerk}" if jerk else ""
+    return f"No acceleration exceeds {share}{also}, so these limits play no part in the minimum."
 
 
-def _method(boxes: int) -> str:
+def _method(problem: Spline, boxes: int) -> str:
     if not boxes:
         return LINEAR_PROGRAMME
-    return BRANCH_AND_BOUND.format(boxes="one box" if boxes == 1 else f"each of {boxes} boxes")
+    jerky = jerk_of(problem) is not None
+    return BRANCH_AND_BOUND.format(
+        others=TO_THE_FIFTH if jerky else CUBIC,
+        all="all" if jerky else "both",
+        boxes="one box" if boxes == 1 else f"each of {boxes} boxes",
+    )
 
 
 def _by_boxes(boxes: int, of: str = "") -> str:
@@ -187,13 +201,16 @@ def _holding(problem: Spline, proof: SplineProof, units: Sequence[str]) -> tuple
         f"{limit.joint + 1} (limit {_reached(pairs[limit.joint], limit.sign):g} "
         f"{units[limit.joint]}{PER[kind]})"
         for limit in sorted(proof.holding, key=lambda limit: (limit.span, limit.u))
-        for kind, pairs in [
-            ("velocity", sides(problem.velocity))
-            if isinstance(limit, Cut)
-            else ("acceleration", sides(problem.acceleration))
-        ]
+        for kind in [_kind(limit)]
+        for pairs in [sides(getattr(problem, kind))]
     )
     return tuple(dict.fromkeys(places))
+
+
+def _kind(limit: Limit) -> str:
+    if isinstance(limit, Cut):
+        return "velocity"
+    return "acceleration" if isinstance(limit, Bend) else "jerk"
 
 
 def _reached(pair: Sequence[float], sign: int) -> float:

@@ -18,7 +18,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from repro.robotics.bsplines import Matrix, span_weights
-from repro.robotics.directed_spline import Limits, Spline, sides
+from repro.robotics.directed_spline import Limits, Spline, jerk_of, sides
 from repro.robotics.spline_motion import slope_weights
 
 Rationals = tuple[Fraction, ...]
@@ -31,13 +31,14 @@ Box = tuple[tuple[Fraction, Fraction], ...]  # shortest and longest of each dura
 class Exact:
     """dt/du as matrices, dq/du as coefficients per span and joint, and the limits, all exact.
 
-    The limits are the lowest and the highest of each joint.
+    The limits are the lowest and the highest of each joint; there may be none of the jerk.
     """
 
     time: tuple[Matrix, ...]
     angle: tuple[tuple[Rationals, ...], ...]
     velocity: Pairs
     acceleration: Pairs
+    jerk: Pairs | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -99,6 +100,7 @@ def exact(problem: Spline) -> Exact:
         ),
         velocity=_exact_sides(problem.velocity),
         acceleration=_exact_sides(problem.acceleration),
+        jerk=None if (jerk := jerk_of(problem)) is None else _exact_sides(jerk),
     )
 
 
@@ -132,7 +134,7 @@ def cut(model: Exact, span: int, joint: int, u: Fraction) -> Cut:
         joint=joint,
         u=u,
         sign=sign,
-        weights=_combined(model.time[span], powers),
+        weights=combined(model.time[span], powers),
         least=step / model.velocity[joint][sign > 0],
     )
 
@@ -142,7 +144,7 @@ def bend(model: Exact, span: int, joint: int, u: Fraction, *, sign: int) -> Bend
     powers, rates = (Fraction(1), u, u * u), (Fraction(0), Fraction(1), 2 * u)
     angle = model.angle[span][joint]
     p, p1 = dot(angle, powers), dot(angle, rates)
-    slope, slope1 = (_combined(model.time[span], by) for by in (powers, rates))
+    slope, slope1 = (combined(model.time[span], by) for by in (powers, rates))
     share = 1 / model.acceleration[joint][sign > 0]
     speeds = zip(model.angle[span], model.velocity, strict=True)
     return Bend(
@@ -156,5 +158,6 @@ def bend(model: Exact, span: int, joint: int, u: Fraction, *, sign: int) -> Bend
     )
 
 
-def _combined(matrix: Matrix, powers: Sequence[Fraction]) -> Rationals:
+def combined(matrix: Matrix, powers: Sequence[Fraction]) -> Rationals:
+    """Return the linear form of the durations that the rows of a matrix, so weighted, add up to."""
     return tuple(dot(column, powers) for column in zip(*matrix, strict=True))

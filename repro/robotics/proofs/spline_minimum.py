@@ -8,7 +8,7 @@ without the acceleration limit the least total time is a linear programme. It gi
 - a motion: the optimum, lengthened a little, is proved to keep both limits on the whole interval
   by Bernstein coefficients, again in rational numbers.
 
-Where the acceleration limit bites, bound and motion come from `branch_and_bound` instead.
+Where a limit of acceleration or jerk bites, bound and motion come from `branch_and_bound` instead.
 Both concern the problem as it stands in doubles. A fast problem and a slow one are one: the unit
 of time is a power of two, in s, near the time of the motion.
 """
@@ -25,12 +25,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from repro.errors import DeclarationError, NotProvedError
-from repro.robotics.directed_spline import Spline, times
+from repro.robotics.directed_spline import Spline, jerk_of, times
 from repro.robotics.motion_checks import LARGEST
 from repro.robotics.proofs.branch_and_bound import least_total
 from repro.robotics.proofs.descent import chords, descended, just_obeying, starts
+from repro.robotics.proofs.jolts import Jolt, Limit
 from repro.robotics.proofs.limit_pool import Limits
-from repro.robotics.proofs.limit_rows import Bend, Cut, Exact, Rationals, cut, dot, exact
+from repro.robotics.proofs.limit_rows import Cut, Exact, Rationals, cut, dot, exact
 from repro.robotics.proofs.linear_programmes import TOLERANCES, weighed
 from repro.robotics.proofs.positivity import derivative, difference, positive, product
 from repro.robotics.proofs.watch import ENDLESS, Watch
@@ -47,15 +48,17 @@ class SplineProof:
     """A proved lower bound, a motion proved to obey, and what holds it back, in s.
 
     `holding` are limits that the motion meets: they hold the bound up. `acceleration_share` is the
-    greatest share of an acceleration limit that the motion reaches; `boxes` is how many boxes of
-    durations the bound took, none where the velocity limits alone give it. Where no durations are
-    found that obey there are none; where that is proved, the bound is infinite.
+    greatest share of an acceleration limit that the motion reaches, `jerk_share` that of a jerk
+    limit where there is one; `boxes` is how many boxes of durations the bound took, none where the
+    velocity limits alone give it. Where no durations are found that obey there are none; where that
+    is proved, the bound is infinite.
     """
 
     lower_bound: Fraction | float
     durations: Rationals
-    holding: tuple[Cut | Bend, ...]
+    holding: tuple[Limit, ...]
     acceleration_share: float
+    jerk_share: float | None = None
     boxes: int
 
     @property
@@ -105,6 +108,8 @@ def _scaled(problem: Spline) -> tuple[float, Spline]:
         "acceleration": times(times(problem.acceleration, unit), unit),
         "durations": (shortest / unit, min(longest / unit, LARGEST)),
     }
+    if (jerk := jerk_of(problem)) is not None:
+        changed["jerk"] = times(times(times(jerk, unit), unit), unit)
     try:
         return unit, replace(problem, **changed)
     except DeclarationError as error:
@@ -112,9 +117,12 @@ def _scaled(problem: Spline) -> tuple[float, Spline]:
         raise NotProvedError(message) from None
 
 
-def _in_seconds(limit: Cut | Bend, unit: Fraction) -> Cut | Bend:
+def _in_seconds(limit: Limit, unit: Fraction) -> Limit:
     if isinstance(limit, Cut):
         return replace(limit, least=limit.least * unit)
+    if isinstance(limit, Jolt):
+        turn = tuple(entry * unit**3 for entry in limit.turn)
+        return replace(limit, least=limit.least * unit, turn=turn, share=limit.share * unit**3)
     turn = tuple(entry * unit * unit for entry in limit.turn)
     return replace(limit, least=limit.least * unit, turn=turn)
 
@@ -129,7 +137,7 @@ def _in_unit(problem: Spline, watch: Watch) -> SplineProof:
     cuts, optimum, weights = _optimum(problem, model, watch)
     tried = starts(problem, optimum)
     lower: Fraction | float = _bound(problem, cuts, weights, tried)
-    holding: tuple[Cut | Bend, ...] = tuple(
+    holding: tuple[Limit, ...] = tuple(
         limit for limit, weight in zip(cuts, weights, strict=True) if weight > BREACH
     )
     motion, boxes = just_obeying(problem, optimum), 0
@@ -142,14 +150,21 @@ def _in_unit(problem: Spline, watch: Watch) -> SplineProof:
         lower, boxes = max(lower, bound.lower), bound.boxes
         motion, holding = bound.motion, bound.holding
     durations = _lengthened(problem, model, motion)
-    share = problem.peak_shares(np.array(durations, dtype=np.float64))[1] if durations else 0.0
+    shares = _shares(problem, durations)
     return SplineProof(
         lower_bound=lower,
         durations=durations,
         holding=holding if durations else (),
-        acceleration_share=float(share),
+        acceleration_share=shares[1] if durations else 0.0,
+        jerk_share=shares[2] if len(shares) > 2 else None,
         boxes=boxes,
     )
+
+
+def _shares(problem: Spline, durations: Rationals) -> list[float]:
+    """Return the greatest shares of each kind of limit, none where there is no motion."""
+    at = np.array(durations, dtype=np.float64)
+    return [float(share) for share in problem.peak_shares(at)] if durations else []
 
 
 def _lengthened(problem: Spline, model: Exact, motion: Vector) -> Rationals:
@@ -238,10 +253,15 @@ def _obeys(model: Exact, durations: Rationals) -> bool:
             return False
         for joint, angle in enumerate(model.angle[span]):
             bend = difference(product(derivative(angle), slope), product(angle, derivative(slope)))
-            for curve, allowed, (low, high) in (
+            kinds = [
                 (list(angle), slope, model.velocity[joint]),
                 (bend, cube, model.acceleration[joint]),
-            ):
+            ]
+            if model.jerk is not None:
+                turned = [3 * entry for entry in product(bend, derivative(slope))]
+                jolt = difference(product(derivative(bend), slope), turned)
+                kinds.append((jolt, product(cube, product(slope, slope)), model.jerk[joint]))
+            for curve, allowed, (low, high) in kinds:
                 below = difference([high * entry for entry in allowed], curve)
                 above = difference(curve, [low * entry for entry in allowed])
                 if not (positive(below) and positive(above)):
