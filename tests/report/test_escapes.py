@@ -11,7 +11,7 @@ from repro.report.escapes import csv_value, markdown_text
 from repro.report.formulas import powers_of_ten
 from repro.report.frames import csv_text
 from repro.report.words import markdown_cell
-from tests.hostile import STRINGS, pages
+from tests.hostile import STRINGS, cells_of, pages
 
 HOSTILE = st.text() | st.sampled_from(STRINGS)
 FORMULAS = ("=1+1", "+cmd|' /C calc'!A0", "-2+3+cmd", "@SUM(A1)", "\t=1", "\r=1", "=HYPERLINK(1)")
@@ -52,18 +52,13 @@ def test_no_text_makes_a_tag_or_a_link_in_markdown(text: str) -> None:
     assert not re.search(r"<|\]\(|\]:", found)
 
 
-def cells(line: str) -> int:
-    """Return how many cells a row of a Markdown table has: bars between them are not escaped."""
-    return len(re.findall(r"(?<!\\)(?:\\\\)*\|", line)) - 1
-
-
 @given(text=HOSTILE | st.text(st.sampled_from("a|\\\r\n]([:<")))
 @example(text="a\\|b")
 @example(text="a\rb")
 def test_a_text_is_one_cell_of_a_markdown_table(text: str) -> None:
     found = markdown_cell(text)
 
-    assert cells(f"| {found} |") == 1
+    assert cells_of(f"| {found} |") == 1
     assert not re.search(r"[\r\n]|<|\]\(|\]:", found)
     for filtered in ("cell | raised", "raised"):
         line = template(filtered).render(text=text)
