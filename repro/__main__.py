@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from repro.commands.arguments import parsed
 from repro.commands.kept_listing import told
-from repro.commands.streams import shown_streams
+from repro.commands.streams import one_line, shown_streams
 from repro.commands.surroundings import prepare
 from repro.errors import INTERRUPTED, TERMINATED, ReproError, Terminated
 
@@ -22,7 +22,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             return error.exit_code
         except OSError as error:  # of a folder or a file that nobody looked at before
             place = f"{error.filename}: " if error.filename else ""
-            sys.stderr.write(f"repro: {place}{error.strerror or error}\n")
+            sys.stderr.write(f"repro: {one_line(f'{place}{error.strerror or error}')}\n")
             return ReproError.exit_code
         except KeyboardInterrupt as interrupt:
             sys.stderr.write(

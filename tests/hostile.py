@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 import shutil
 import sqlite3
 import tempfile
@@ -214,6 +215,17 @@ def tags(page: str) -> list[tuple[str, ...]]:
     return parser.found
 
 
+def cells_of(line: str) -> int:
+    """Return how many cells a row of a Markdown table has: bars between them are not escaped."""
+    return len(re.findall(r"(?<!\\)(?:\\\\)*\|", line)) - 1
+
+
+def ragged(page: str) -> list[str]:
+    """Return the tables of a Markdown page whose rows have not all as many cells."""
+    tables: list[str] = re.findall(r"(?:^\|.*\n)+", page, re.MULTILINE)
+    return [each for each in tables if len({*map(cells_of, each.splitlines())}) > 1]
+
+
 def check_pages(text: str) -> None:
     """Write the pages of a paper that says a text: no element or attribute comes of it."""
     found = pages(text)
@@ -222,6 +234,8 @@ def check_pages(text: str) -> None:
     for name in ("index.md", "small2020.md"):
         assert "<script" not in found[name].lower(), name
         assert "<img" not in found[name].lower(), name
+        assert "](javascript:" not in found[name], name
+        assert ragged(found[name]) == [], name
     title = json.loads(found["results.json"])["papers"][0]["title"]
     assert title == f"t{text}"
 

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from repro.commands.audit_settings import BoundsOf, is_table_file, options_of
 from repro.commands.shown_rows import show_json, warn
+from repro.commands.streams import one_line
 from repro.commands.table_files import SheetReader, read_tables
 from repro.errors import SOME_RUN_FAILED, InputError
 from repro.report.audited_page import page
@@ -39,7 +40,7 @@ def run_with(options: Namespace, *, sheets: SheetReader | None, bounds: BoundsOf
     if options.json:
         show_json([table.as_json() for table in found])
     else:
-        sys.stdout.writelines(f"{line}\n" for table in found for line in lines(table))
+        sys.stdout.writelines(f"{one_line(line)}\n" for table in found for line in lines(table))
     if options.html and found:  # after what is said, which it must not take away
         write_named(options.html, page(found))
     return refused or (SOME_RUN_FAILED if any(table.proofs for table in found) else 0)

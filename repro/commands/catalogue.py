@@ -13,7 +13,7 @@ from argparse import Namespace
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
-import papers
+from repro.commands import own_papers
 from repro.commands.paper_modules import PAPER, Declared, Failed, declared_in, failure, modules_in
 from repro.commands.shown_rows import warn
 from repro.errors import InputError
@@ -113,18 +113,18 @@ def expected_file(key: str, place: Path | None = None) -> Path:
 
     It stands beside the file that declares the paper, in this house's folder where none is given.
     """
-    folder = place.parent if place else Path(papers.__path__[0])
+    folder = place.parent if place else Path(folders()[0])
     return folder / f"{key}.verdicts.csv"
 
 
 def folders() -> tuple[str, ...]:
     """Return where the papers of this house are declared."""
-    return tuple(papers.__path__)
+    return tuple(own_papers.loaded().__path__)
 
 
 def of_this_house(places: Iterable[Path]) -> bool:
     """Say whether all these files are modules of this house."""
-    own = {Path(folder).resolve() for folder in papers.__path__}
+    own = {Path(folder).resolve() for folder in folders()}
     return all(place.parent in own for place in places)
 
 
@@ -176,7 +176,7 @@ def _declared(file: Path) -> Declared | Failed:
 
 
 def _of_this_house() -> Iterator[Declared | Failed]:
-    for folder in papers.__path__:
+    for folder in folders():
         yield from _of_path(Path(folder))
 
 

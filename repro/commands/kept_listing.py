@@ -7,7 +7,6 @@ the note of what they were made of.
 
 import hashlib
 import importlib.metadata
-import importlib.util
 import json
 import re
 import sys
@@ -17,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 import repro
+from repro.commands import own_papers
 from repro.commands.listing_text import listing_text
 from repro.determinism.trees import installed, tree
 from repro.report.kept import find, keep
@@ -58,7 +58,7 @@ def show(rows: Rows, *, as_json: bool) -> int:
 
 def _name(store: Path, keys: Sequence[str], repeats: int) -> str:
     """Return a digest of all that a listing follows from, "" where that is not known."""
-    papers = importlib.util.find_spec("papers")
+    papers = own_papers.found()
     runs = settled_digest(store)
     elsewhere = importlib.metadata.entry_points(group=GROUP)
     if papers is None or runs is None or elsewhere or not all(map(_KEY.fullmatch, keys)):

@@ -3,6 +3,8 @@
 from collections.abc import Iterable, Iterator
 from typing import Any
 
+from repro.commands.streams import one_line
+
 Row = dict[str, Any]
 _SHOWN = 4  # changed parts that a line names
 
@@ -36,7 +38,7 @@ def listing_text(rows: list[Row]) -> str:
             noun = "study" if len(others) == 1 else "studies"
             done, missing = (sum(o[state] for o in others) for state in ("done", "missing"))
             lines.append(f"  {len(others)} {noun} besides: {done} runs done, {missing} missing")
-    return "\n".join(lines) + "\n"
+    return "".join(f"{one_line(line)}\n" for line in lines)
 
 
 def in_words(changed: Iterable[str]) -> str:

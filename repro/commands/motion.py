@@ -10,6 +10,7 @@ from pathlib import Path
 from repro.commands.motion_files import MotionFile, read_motion
 from repro.commands.motion_progress import telling
 from repro.commands.shown_rows import show_json, warn
+from repro.commands.streams import one_line
 from repro.errors import InputError
 from repro.judge.outside_planners import OutsideReference, references_of
 from repro.judge.own_motion import OwnResult, certified, losses, outside_range
@@ -47,7 +48,7 @@ def run(options: Namespace) -> int:
         show_json([row(each) for each in found])
     else:
         stream = sys.stderr if printed else sys.stdout
-        stream.writelines(f"{line}\n" for each in found for line in lines(each))
+        stream.writelines(f"{one_line(line)}\n" for each in found for line in lines(each))
     for each in found:  # after what is said, which a file that cannot be written must not take away
         _write(options, each)
     return refused

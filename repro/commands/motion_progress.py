@@ -5,6 +5,8 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import TextIO
 
+from repro.commands.streams import draw
+
 PAUSE = 0.2  # s between two redraws
 
 
@@ -21,12 +23,12 @@ def telling(stream: TextIO) -> Iterator[Callable[[float, float], None]]:
             return
         shown, drawn = now, True
         gap = 100.0 * (1.0 - lower / attained)
-        stream.write(f"\rbetween {lower:.6g} and {attained:.6g} s, {gap:.2g} % apart\033[K")
+        draw(stream, f"\rbetween {lower:.6g} and {attained:.6g} s, {gap:.2g} % apart\033[K")
         stream.flush()
 
     try:
         yield tell
     finally:
         if drawn:
-            stream.write("\r\033[K")
+            draw(stream, "\r\033[K")
             stream.flush()

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import TextIO
 
-from repro.commands.streams import FitForTerminal
+from repro.commands.streams import draw, one_line
 from repro.runs.plan import Task
 from repro.runs.run import Record
 from repro.runs.store.questions import Kind
@@ -43,7 +43,7 @@ class Progress:
     def note(self, record: Record) -> None:
         """Count a run that is done."""
         self._left.note(kind_of(record.task), record.seconds)
-        self._at = f"{record.task.paper}, {record.task.experiment}"
+        self._at = one_line(f"{record.task.paper}, {record.task.experiment}")
 
     @contextmanager
     def paused(self) -> Iterator[None]:
@@ -68,13 +68,7 @@ class Progress:
         if self._terminal:
             filled = int(_WIDTH * share)
             bar = "█" * filled + "·" * (_WIDTH - filled)
-            text = f"\r{bar} {text}\033[K" + ("" if left else "\n")
-            draw = (
-                self._stream.draw
-                if isinstance(self._stream, FitForTerminal)
-                else self._stream.write
-            )
-            draw(text)
+            draw(self._stream, f"\r{bar} {text}\033[K" + ("" if left else "\n"))
         else:
             self._stream.write(text + "\n")
         self._stream.flush()

@@ -6,13 +6,15 @@ import sys
 from collections.abc import Sequence
 from typing import Any
 
+from repro.commands.streams import one_line
+
 
 def show(rows: Sequence[Any], lines: Sequence[str], *, as_json: bool) -> int:
     """Print the lines, or the rows, which are dataclasses, as JSON; return exit code 0."""
     if as_json:
         show_json([dataclasses.asdict(row) for row in rows])
     else:
-        sys.stdout.writelines(line + "\n" for line in lines)
+        sys.stdout.writelines(f"{one_line(line)}\n" for line in lines)
     return 0
 
 
@@ -25,5 +27,4 @@ def show_json(content: object) -> None:
 
 def warn(line: str) -> None:
     """Say something to whoever called, apart from what was asked for."""
-    one = line.replace("\n", r"\n")  # a text of a file is no line of its own
-    sys.stderr.write(f"repro: {one}\n")
+    sys.stderr.write(f"repro: {one_line(line)}\n")  # a text of a file is no line of its own

@@ -31,6 +31,16 @@ def for_terminal(text: str) -> str:
     return "".join(_spelt(c) for c in text)
 
 
+def one_line(text: str) -> str:
+    """Return such a text whose own ends of lines are spelt out, too."""
+    return for_terminal(text).replace("\n", r"\n")
+
+
+def draw(stream: TextIO, text: str) -> None:
+    """Write a text that moves the cursor, of our own, to whatever stream."""
+    (stream.draw if isinstance(stream, FitForTerminal) else stream.write)(text)
+
+
 def _spelt(c: str) -> str:
     hidden = unicodedata.category(c) in _UNSEEN and c not in _LINES
     return json.dumps(c)[1:-1] if hidden else c

@@ -13,6 +13,7 @@ from markupsafe import Markup, escape
 from repro.errors import DeclarationError
 from repro.model.identifiers import anchor
 from repro.model.paper import Formula
+from repro.report.escapes import markdown_text
 from repro.report.words import raised
 
 _ELEMENTS = {
@@ -130,7 +131,9 @@ def powers(text: object) -> Markup:
 @pass_eval_context
 def powers_of_ten(context: EvalContext, text: object) -> Markup:
     """Return text with its powers of ten raised: by MathML in HTML, by a tag in Markdown."""
-    return powers(text) if context.autoescape else raised(text)
+    if context.autoescape:
+        return powers(text)
+    return raised(Markup(markdown_text(str(escape(text)))))  # noqa: S704 (escaped)
 
 
 def _power(match: re.Match[str]) -> str:

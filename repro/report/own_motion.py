@@ -1,5 +1,7 @@
 """A motion of a user's own as files: samples for a controller, and a page with drawings."""
 
+import csv
+import io
 from collections.abc import Iterator, Sequence
 from dataclasses import asdict
 from typing import Any
@@ -13,6 +15,7 @@ from repro.report.drawings.arm_motion import SAMPLES, Moving
 from repro.report.drawings.chain_postures import postures
 from repro.report.drawings.draw import Drawing, drawing
 from repro.report.drawings.own_motion import joints_plot
+from repro.report.escapes import csv_value
 from repro.robotics.chain import Chain
 from repro.robotics.own_motion import increasing, points_of, sampled
 from repro.robotics.polynomial_motion import KINDS
@@ -48,13 +51,15 @@ def csv_text(found: OwnResult) -> str:
     kept = increasing(times)
     values = np.hstack([values * np.array(found.si) for _, values in parts])[kept]
     kinds = ("positions", "velocities", "accelerations")
-    heading = ["time_from_start", *(f"{kind}.{name}" for kind in kinds for name in found.names)]
-    lines = [",".join(f'"{cell}"' if "," in cell else cell for cell in heading)]
-    lines += [
-        ",".join([repr(time), *(f"{value:.12g}" for value in line)])
+    text = io.StringIO()
+    rows = csv.writer(text, lineterminator="\n")
+    headings = (f"{kind}.{name}" for kind in kinds for name in found.names)
+    rows.writerow(["time_from_start", *map(csv_value, headings)])
+    rows.writerows(
+        [repr(time), *(f"{value:.12g}" for value in line)]
         for time, line in zip(times[kept].tolist(), values.tolist(), strict=True)
-    ]
-    return "\n".join(lines) + "\n"
+    )
+    return text.getvalue()
 
 
 def page(found: OwnResult, *, says: Sequence[str]) -> str:

@@ -165,8 +165,10 @@ def counted(group: str | None, others: int) -> str:
 
 def markdown_cell(text: object) -> Markup:
     """Return text that stays one cell of a Markdown table and can open no tag and no link."""
-    plain = " ".join(str(text).split("\n"))
-    return Markup(markdown_text(plain.replace("|", "\\|")))  # noqa: S704 (escaped once)
+    plain = re.sub(r"\r\n?|\n", " ", str(text))
+    # a backslash before a bar would escape our own
+    cell = re.sub(r"(\\*)\|", r"\1\1\|", plain)
+    return Markup(markdown_text(cell))  # noqa: S704 (escaped once)
 
 
 def again_command(paper: str, called: str, name: str, master_seed: str) -> str:

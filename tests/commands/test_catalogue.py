@@ -6,6 +6,7 @@ from argparse import Namespace
 from collections.abc import Callable, Iterator
 from importlib.metadata import EntryPoint
 from pathlib import Path
+from types import ModuleType
 
 import pytest
 
@@ -278,3 +279,16 @@ def test_an_argument_that_a_search_lacks_is_told_with_those_it_has(listed: Liste
     said = refusal(listed("./one.py"))
 
     assert "one.py, line 3: WOA has no argument 'c'; there is 'b'" in said
+
+
+def test_papers_of_somebody_else_that_are_loaded_are_named(
+    monkeypatch: pytest.MonkeyPatch, listed: Listed
+) -> None:
+    theirs = ModuleType("papers")
+    theirs.__file__ = "elsewhere/papers/__init__.py"
+    monkeypatch.setitem(sys.modules, "papers", theirs)
+
+    line = refusal(listed("syji"))
+
+    assert "the name 'papers' belongs to elsewhere/papers/__init__.py: rename one of them" in line
+    assert sys.modules["papers"] is theirs

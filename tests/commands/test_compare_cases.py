@@ -37,6 +37,9 @@ seen = []
 def remembers(cost, bounds, budget, rng):
     seen.append(rng.uniform(*bounds.T))
     return min(seen, key=cost)
+def reads(cost, bounds, budget, rng):
+    import papers.syji
+    return bounds.mean(axis=1)
 def one(cost, bounds, budget, rng):
     x = rng.uniform(*bounds.T)
     cost(x)
@@ -173,12 +176,30 @@ def test_a_file_beside_a_search_is_not_taken_for_what_we_import(
     run: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.delenv("PYTHONPATH", raising=False)  # which may name the folder itself
-    for name in ("repro", "numpy"):
-        Path(f"{name}.py").write_text("raise SystemExit(9)")
+    Path("papers").mkdir()
+    for name in ("repro.py", "numpy.py", "papers/__init__.py"):
+        Path(name).write_text("raise SystemExit(9)")
 
-    code, _, err = run("mine:guess", "--name", "own", "--runs", "1", "--no-centre-bias")
+    code, _, err = run("mine:reads", "--name", "own", "--runs", "1", "--no-centre-bias")
 
     assert code == 0, err
+
+
+def test_a_folder_called_papers_is_not_taken_for_ours(tmp_path: Path) -> None:
+    (tmp_path / "mine.py").write_text(MODULE)
+    (tmp_path / "papers").mkdir()
+    (tmp_path / "papers" / "__init__.py").write_text("raise SystemExit(9)")
+    options = ("mine:reads", "syji", "--runs", "1", "--workers", "1", "--no-centre-bias", "--quiet")
+    call = (sys.executable, "-m", "repro")  # which looks into the current folder first
+    environment = {**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])}
+    for command in (("compare", *options), ("list", "syji"), ("list", "syji")):
+        done = subprocess.run(
+            (*call, *command),
+            cwd=tmp_path, env=environment, capture_output=True, text=True, check=False,
+        )  # fmt: skip
+
+        assert done.returncode == 0, done.stderr
+    assert "motion: WOA on SYJI-0035" in done.stdout
 
 
 def test_search_that_never_returns_is_a_failed_run(run: Run) -> None:

@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from urllib.parse import unquote
 
+import pandas as pd
 import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
@@ -15,7 +16,9 @@ from hypothesis import strategies as st
 from repro.__main__ import main
 from repro.commands.compare_entrants import check_name, stem
 from repro.errors import InputError
+from repro.report.escapes import csv_value
 from tests.commands.own_searches import Run, standing_in
+from tests.hostile import ragged, tags
 from tests.small_papers import PAPER
 
 MODULE = "def centre(cost, bounds, budget, rng): return bounds.mean(axis=1)\n"
@@ -107,6 +110,23 @@ def test_a_page_is_whole_whatever_its_search_is_called(run: Run) -> None:
     assert json.loads(page.with_suffix(".json").read_text())["names"] == [name]
     assert {path.name for path in Path().iterdir()} <= {".repro", "mine.py", "reports-private",
                                                          "__pycache__"}  # fmt: skip
+
+
+def test_no_name_of_a_search_is_markup_a_link_or_a_formula(run: Run) -> None:
+    found = {}
+    for name in ("x", '"><img src=x onerror=alert(1)>', "[x](javascript:alert(1))", "a\\|b`c`*d*",
+                 "{{ 7 * 7 }}{% raw %}", "=1+1", "$\\frac{$_^"):  # fmt: skip
+        code, out, err = run(name)
+        page = Path(out.removeprefix("page: ").strip())
+        found[name] = tags(page.read_text())
+
+        assert code == 0, err
+        assert found[name] == found["x"], name
+        twin = page.with_suffix(".md").read_text()
+        assert not re.search(r"\]\(javascript:|<img|<script", twin), name
+        assert ragged(twin) == [], name
+        column = pd.read_csv(page.with_suffix(".csv"))["algorithm"]
+        assert {*column} == {csv_value(name)}
 
 
 @pytest.mark.parametrize("name", ["a\nb", "", " ", "a/b", "\x1b[2J"])

@@ -123,6 +123,11 @@ LAYOUT = st.dictionaries(st.sampled_from(PLACES), st.sampled_from([*KINDS]), min
 @example(layout={"store/compared.json.new": "link to a file"}, first=True, command="compare")
 @example(layout={"store/runs.sqlite": "link to nothing"}, first=True, command="reproduce")
 @example(layout={"store/made-of.json": "pipe"}, first=False, command="list")
+@example(
+    layout={"store/made-of.json": "file", "store/made-of-set-aside-1.json": "file"},
+    first=True,
+    command="reproduce",
+)
 @example(layout={"store/kept": "link to a folder"}, first=False, command="list")
 @example(layout={"reports/figures": "link to a folder"}, first=True, command="report")
 @example(layout={"reports/glossary.md": "file"}, first=True, command="report")

@@ -1,13 +1,14 @@
 """`repro motion`: what it prints, writes and refuses; and `repro.certify`."""
 
 import csv
+import io
 import json
 import os
 import re
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any
+from typing import Any, TextIO, cast
 
 import numpy as np
 import pytest
@@ -16,6 +17,7 @@ import repro
 from repro.__main__ import main
 from repro.commands.motion_files import read_motion
 from repro.commands.motion_progress import telling
+from repro.commands.streams import FitForTerminal
 from repro.errors import InputError
 from repro.robotics import (
     DirectedSpline,
@@ -428,15 +430,13 @@ def test_progress_is_drawn_on_a_terminal_alone(monkeypatch: pytest.MonkeyPatch) 
     monkeypatch.setattr("repro.commands.motion_progress.time.monotonic", lambda: next(times))
     drawn = {}
     for terminal in (True, False):
-        read, written = os.pipe()
-        with os.fdopen(written, "w") as stream, telling(stream) as tell:
-            monkeypatch.setattr(stream, "isatty", lambda t=terminal: t, raising=False)
+        stream = io.StringIO()
+        monkeypatch.setattr(stream, "isatty", lambda t=terminal: t)
+        with telling(cast("TextIO", FitForTerminal(stream))) as tell:
             tell(1.0, 2.0)
-        with os.fdopen(read) as stream:
-            drawn[terminal] = stream.read()
+        drawn[terminal] = stream.getvalue()
 
-    assert "between 1 and 2 s, 50 % apart" in drawn[True]
-    assert drawn[False] == ""
+    assert drawn == {True: "\rbetween 1 and 2 s, 50 % apart\033[K\r\033[K", False: ""}
 
 
 def test_command_runs_without_a_checkout(tmp_path: Path) -> None:

@@ -1,11 +1,17 @@
 import io
 import sys
+from dataclasses import replace
+from typing import TextIO, cast
 
 import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 
 from repro.commands.progress import Progress, duration
+from repro.commands.streams import FitForTerminal, for_terminal
 from repro.runs.plan import plan
 from repro.runs.run import failed
+from tests.hostile import STRINGS
 from tests.small_papers import PAPER
 
 TASK = plan([PAPER], 1)[0]
@@ -55,6 +61,23 @@ def test_plain_lines_come_ten_seconds_apart_and_at_the_end(clock: list[float]) -
         "30/40 runs (75 %), 10 s left: small2020, search",
         "40/40 runs (100 %), 0 s left: small2020, search",
     ]
+
+
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(name=st.text() | st.sampled_from(STRINGS) | st.just("a\nb"))
+def test_no_name_of_an_experiment_moves_the_cursor(clock: list[float], name: str) -> None:
+    for terminal in (Terminal(), io.StringIO()):
+        progress = Progress(cast("TextIO", FitForTerminal(terminal)))
+        task = replace(TASK, experiment=name)
+        progress.expect([task, task], {})
+        clock[0] += 20.0
+        progress.note(failed(task, "", 1.0))
+        progress(0, 0)
+
+        (drawn,) = terminal.getvalue().removeprefix("\r").splitlines()
+        line = drawn.removesuffix("\033[K")
+        assert line == for_terminal(line)
+        assert line.count("left: small2020, ") == 1
 
 
 def test_plain_lines_hold_no_control_characters(clock: list[float]) -> None:

@@ -173,6 +173,35 @@ def test_no_text_of_a_paper_reaches_the_terminal_as_it_is(
     assert for_terminal(said.out + said.err) == said.out + said.err
 
 
+@pytest.mark.parametrize("command", ["list", "audit", "certify"])
+def test_a_text_of_a_paper_is_no_line_of_its_own(
+    command: str,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    lines = {}
+    for text in ("x", "x\nrepro: all is well\r\n"):
+        let_be_known(monkeypatch, replace(hostile_paper(text), key="hostile2020"))
+        main([command, "hostile2020"])
+        lines[text] = capsys.readouterr().out.count("\n")
+
+    assert len({*lines.values()}) == 1, lines
+
+
+def test_a_file_that_cannot_be_used_is_one_line_whatever_it_is_called(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def gone(_: object) -> int:
+        raise FileNotFoundError(2, "No such file", "a\nrepro: done\x1b[2J")
+
+    monkeypatch.setattr("repro.__main__._called", gone)
+
+    assert main(["list"]) == 2
+    assert capsys.readouterr().err == r"repro: a\nrepro: done\u001b[2J: No such file" + "\n"
+
+
 @pytest.mark.parametrize(
     ("name", "says"),
     [

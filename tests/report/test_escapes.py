@@ -5,10 +5,13 @@ import re
 import pandas as pd
 from hypothesis import example, given
 from hypothesis import strategies as st
+from jinja2 import Environment, Template
 
 from repro.report.escapes import csv_value, markdown_text
+from repro.report.formulas import powers_of_ten
 from repro.report.frames import csv_text
-from tests.hostile import STRINGS, pages
+from repro.report.words import markdown_cell
+from tests.hostile import STRINGS, cells_of, pages
 
 HOSTILE = st.text() | st.sampled_from(STRINGS)
 FORMULAS = ("=1+1", "+cmd|' /C calc'!A0", "-2+3+cmd", "@SUM(A1)", "\t=1", "\r=1", "=HYPERLINK(1)")
@@ -47,6 +50,26 @@ def test_no_text_makes_a_tag_or_a_link_in_markdown(text: str) -> None:
     found = markdown_text(text)
 
     assert not re.search(r"<|\]\(|\]:", found)
+
+
+@given(text=HOSTILE | st.text(st.sampled_from("a|\\\r\n]([:<")))
+@example(text="a\\|b")
+@example(text="a\rb")
+def test_a_text_is_one_cell_of_a_markdown_table(text: str) -> None:
+    found = markdown_cell(text)
+
+    assert cells_of(f"| {found} |") == 1
+    assert not re.search(r"[\r\n]|<|\]\(|\]:", found)
+    for filtered in ("cell | raised", "raised"):
+        line = template(filtered).render(text=text)
+        assert not re.search(r"<(?!/?sup>)|\]\(|\]:", line)
+
+
+def template(filters: str) -> Template:
+    """Return what shows a text on a Markdown page."""
+    environment = Environment(autoescape=False)  # noqa: S701 (as Markdown pages are made)
+    environment.filters |= {"cell": markdown_cell, "raised": powers_of_ten}
+    return environment.from_string(f"{{{{ text | {filters} }}}}")
 
 
 def test_no_link_of_a_papers_text_stands_on_a_markdown_page() -> None:

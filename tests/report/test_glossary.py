@@ -39,7 +39,8 @@ def test_a_link_leads_to_the_word_on_either_kind_of_page() -> None:
     assert term_link("reading", "readings", markdown=True) == "[readings](glossary.md#reading)"
     page = render("glossary.html", {"terms": glossary().terms})
     for term in glossary().terms:
-        place = term_link(term.name, markdown=False).partition("#")[2].partition('"')[0]
+        link = str(term_link(term.name, markdown=False))
+        place = link.partition("#")[2].partition('"')[0]
         assert f'<dt id="{place}">' in page
 
 

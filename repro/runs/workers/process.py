@@ -26,11 +26,12 @@ from repro.runs.workers.pickling import pack, stripped, unpack
 ALIVE, LATE = b"alive", b"late"
 TRIES = 3  # deaths of a worker that one task may cause before it is named and given up
 _HOME = str(Path(__file__).parents[3])  # where our package is
-# a folder of searches may hold a repro.py or numpy.py of its own, so it comes last until we are in
+# a folder of searches may hold a repro.py, numpy.py or papers/ of its own, so it comes last until
+# ours are in
 _PROGRAM = (
     "import sys; _, number, home, *paths = sys.argv; "
     "sys.path[:] = [home, *filter(None, sys.path), *paths]; "
-    "from repro.runs.workers.process import serve; "
+    "import papers; from repro.runs.workers.process import serve; "
     "sys.path[:] = paths; serve(int(number))"
 )
 # one thread per run: the engine itself spreads runs over the cores
