@@ -168,7 +168,7 @@ def test_spline_under_limits_of_others_keeps_them_all_and_meets_one(
     b = np.nan_to_num(basis(4))
     angle = control(np.array(file.problem.nodes), file.problem.ends)
     time = control(np.concatenate([[0.0], np.cumsum(found.at)])[:, None], file.problem.time_ends)
-    worst = {}
+    worst: dict[str, float] = {}
     for span in range(file.problem.segments):
         q1, q2, q3 = (np.einsum("ku,kj->uj", b[m], angle[span : span + 4]) for m in (1, 2, 3))
         t1, t2, t3 = (np.einsum("ku,kj->uj", b[m], time[span : span + 4]) for m in (1, 2, 3))

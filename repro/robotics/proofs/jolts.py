@@ -41,10 +41,10 @@ from repro.robotics.proofs.limit_rows import (
 
 Vector = NDArray[np.float64]
 DIGITS = 2**20  # of ratios s'/s, which need not be exact but short to calculate with
-STEEPEST = 2**10  # ratio s'/s; where time nearly stands still there are greater ones
-WIDEST = 2**20  # ratio of two values of s between which a limit below 0 is looked into
+STEEPEST = Fraction(2**10)  # ratio s'/s; where time nearly stands still there are greater ones
+WIDEST = 2**10  # ratio of two values of s between which a limit below 0 is looked into
 TINY = 1e-300  # keeps 0/0 away
-FARTHEST = 1e50  # s in the unit of a motion's time; powers of more are no doubles
+NEAREST, FARTHEST = 1e-50, 1e50  # s by a motion's time, beyond which powers are no doubles
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -73,7 +73,8 @@ class Jolt:
         """
         low = max(Fraction(0), rounded_down(max(self.least, smallest(self.slope, box))))
         high = max(low, -rounded_down(smallest([-entry for entry in self.slope], box)))
-        if high > FARTHEST or (self.share < 0 and low * WIDEST <= high):
+        still = low * WIDEST <= high or low <= NEAREST
+        if high > FARTHEST or (self.share < 0 and still):
             return (Fraction(0),) * len(box), Fraction(0)
         first, second = self._ratios(box, low, high) if self.share < 0 else (self.ratio,) * 2
         steep = (high + low) * (high * high + low * low)
@@ -86,7 +87,8 @@ class Jolt:
     def _ratios(self, box: Box, low: Fraction, high: Fraction) -> tuple[Fraction, Fraction]:
         """Return between which two values s'/s lies in the box, where s is from low to high."""
         middle = [(least + most) / 2 for least, most in box]
-        centre = _short(dot(self.rate, middle) / max(low, dot(self.slope, middle)))
+        ratio = dot(self.rate, middle) / max(low, dot(self.slope, middle))
+        centre = _short(max(-STEEPEST, min(ratio, STEEPEST)))
         off = [rate - centre * own for own, rate in zip(self.slope, self.rate, strict=True)]
         least, most = smallest(off, box), -smallest([-entry for entry in off], box)
         first = centre + min(least / low, least / high)
@@ -109,7 +111,7 @@ def jolt(model: Exact, span: int, joint: int, u: Fraction, *, sign: int, ratio: 
     s, s1, s2 = (combined(model.time[span], by) for by in orders)
     by = 1 / (model.jerk or ())[joint][sign > 0]
     speeds = zip(model.angle[span], model.velocity, strict=True)
-    tangent = np.clip(ratio, -STEEPEST, STEEPEST) if p * sign > 0 else 0.0
+    tangent = np.clip(ratio, -float(STEEPEST), float(STEEPEST)) if p * sign > 0 else 0.0
     return Jolt(
         span=span,
         joint=joint,
@@ -146,16 +148,18 @@ def jolt_rows(table: Sequence[tuple[float, ...]], box: Vector) -> tuple[Vector, 
     share, floor, ratio = numbers[:, 3 * n :].T
     low = np.maximum(np.maximum(floor, _smallest(slope, box)), 0.0)
     high = np.maximum(low, -_smallest(-slope, box))
-    used = (high <= FARTHEST) & ((share >= 0.0) | (low * WIDEST > high))
+    used = (high <= FARTHEST) & ((share >= 0.0) | ((low * WIDEST > high) & (low > NEAREST)))
     low, high = np.where(used, low, 1.0), np.where(used, high, 1.0)
     under = np.where(low > 0.0, low, 1.0)  # of those that are looked into it is
     above = np.where(high > 0.0, high, 1.0)
-    middle = box.mean(axis=1)
-    centre = np.round(rate @ middle / np.maximum(under, slope @ middle) * DIGITS) / DIGITS
+    middle, limit = box.mean(axis=1), float(STEEPEST)
+    ratios = np.clip(rate @ middle / np.maximum(under, slope @ middle), -limit, limit)
+    centre = np.round(ratios * DIGITS) / DIGITS
     off = rate - centre[:, None] * slope
     least, most = _smallest(off, box), -_smallest(-off, box)
-    first = np.where(share < 0.0, centre + np.minimum(least / under, least / above), ratio)
-    second = np.where(share < 0.0, centre + np.maximum(most / under, most / above), ratio)
+    ranged = used & (share < 0.0)
+    first = np.where(ranged, centre + np.minimum(least / under, least / above), ratio)
+    second = np.where(ranged, centre + np.maximum(most / under, most / above), ratio)
     steep = (high + low) * (high * high + low * low)
     by_slope, by_rate = steep + share * first * second, share * (first + second)
     weights = np.where(

@@ -1,4 +1,6 @@
+from dataclasses import replace
 from fractions import Fraction
+from itertools import product
 
 import numpy as np
 import pytest
@@ -10,7 +12,7 @@ from repro.robotics.proofs.limit_rows import Box, dot, exact
 from repro.robotics.spline_motion import motion
 from tests.robotics.proofs.test_limit_rows import durations, joints, places, seconds, signs, spans
 from tests.robotics.test_spline_jerk import LIMITED
-from tests.robotics.test_spline_motion import PROBLEM
+from tests.robotics.test_spline_motion import BACKWARDS, PROBLEM
 
 MODEL = exact(LIMITED)
 ratios = st.floats(-20.0, 20.0)
@@ -141,3 +143,21 @@ def test_limit_asks_nothing_of_a_box_in_which_time_may_stand_still() -> None:
 
     assert limit.row(box) == ((Fraction(0),) * 3, Fraction(0))
     assert not jolt_rows([doubles(limit)], np.array(box, dtype=np.float64))[0].any()
+
+
+def test_limit_asks_nothing_where_time_runs_backwards_and_velocities_are_free() -> None:
+    model = exact(replace(LIMITED, velocity=((-1e90, 1e90),) * 2))
+    box: Box = tuple((Fraction(h), Fraction(h)) for h in BACKWARDS.tolist())
+    behind = [
+        limit
+        for span, sixteenth, sign in product(range(3), range(1, 16), (-1, 1))
+        for limit in [jolt(model, span, 0, Fraction(sixteenth, 16), sign=sign, ratio=0.0)]
+        if limit.share < 0 and dot(limit.slope, [low for low, _ in box]) < 0
+    ]
+    assert behind
+
+    weights, least, _ = jolt_rows(list(map(doubles, behind)), np.array(box, dtype=np.float64))
+
+    assert not weights.any()
+    assert not least.any()
+    assert {limit.row(box) for limit in behind} == {((Fraction(0),) * 3, Fraction(0))}
