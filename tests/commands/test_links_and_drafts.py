@@ -128,6 +128,8 @@ LAYOUT = st.dictionaries(st.sampled_from(PLACES), st.sampled_from([*KINDS]), min
     first=True,
     command="reproduce",
 )
+@example(layout={"store/repro.lock": "link to nothing"}, first=True, command="reproduce")
+@example(layout={"store/compared.json": "file"}, first=False, command="compare")
 @example(layout={"store/kept": "link to a folder"}, first=False, command="list")
 @example(layout={"reports/figures": "link to a folder"}, first=True, command="report")
 @example(layout={"reports/glossary.md": "file"}, first=True, command="report")
