@@ -3,7 +3,7 @@
 In HTML the templates escape by themselves; for a terminal, `repro.commands.streams` does.
 """
 
-_FORMULAS = ("=", "+", "-", "@", "\t", "\n")
+_FORMULAS = ("=", "+", "-", "@", "\t", "\n", "\0")  # OWASP ASVS 5.0, 1.2.10, and CWE-1236
 
 
 def markdown_text(text: str) -> str:

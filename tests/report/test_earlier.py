@@ -109,6 +109,19 @@ def test_a_folder_with_somebody_elses_pages_is_refused_before_any_run(
     }
 
 
+def test_a_folder_in_the_place_of_a_page_is_refused_before_any_run(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    let_be_known(monkeypatch, PAPER)
+    (tmp_path / "reports" / "small2020.html").mkdir(parents=True)
+
+    assert main(["reproduce", *QUICK]) == 2
+
+    assert "small2020.html is a folder, and a file of this name is to be" in capsys.readouterr().err
+    assert not (tmp_path / ".repro").exists()
+
+
 def test_a_folder_of_ones_own_keeps_every_other_file(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -19,11 +19,12 @@ FORMULAS = ("=1+1", "+cmd|' /C calc'!A0", "-2+3+cmd", "@SUM(A1)", "\t=1", "\r=1"
 
 @given(text=HOSTILE | st.sampled_from(FORMULAS))
 @example(text="+")
+@example(text="\0=1")
 def test_no_text_is_a_formula_in_a_table(text: str) -> None:
     value = csv_value(text)
 
     assert isinstance(value, str)
-    if value.startswith(("=", "+", "-", "@", "\t", "\r", "\n")):
+    if value.startswith(("=", "+", "-", "@", "\t", "\r", "\n", "\0")):
         assert value in {"+", "-"} or float(value) is not None
     assert value.removeprefix("'") == text.replace("\r", "\n").removeprefix("'")
 
