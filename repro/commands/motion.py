@@ -12,10 +12,11 @@ from repro.commands.motion_progress import telling
 from repro.commands.shown_rows import show_json, warn
 from repro.commands.streams import one_line
 from repro.errors import InputError
-from repro.judge.outside_planners import OutsideReference, references_of
+from repro.judge.outside_planners import OutsideReference, not_asked, references_of
 from repro.judge.own_motion import OwnResult, certified, losses, outside_range
 from repro.report.own_motion import csv_text, page, row
-from repro.robotics import MinimumTime
+from repro.robotics import DirectedSpline, MinimumTime, MinimumTimeSpline
+from repro.robotics.polynomial_motion import PolynomialMotion
 from repro.robotics.proofs.proved import FREE
 from repro.robotics.proofs.watch import Watch
 from repro.runs.whole_files import write_named
@@ -31,7 +32,8 @@ def run(options: Namespace) -> int:
         raise InputError(message)
     for name in ("csv", "html"):
         if getattr(options, name) and len(options.files) > 1:
-            message = f"--{name} takes one motion, not {len(options.files)}"
+            given = ", ".join(options.files)
+            message = f"--{name} takes one motion, not {len(options.files)}: {given}"
             raise InputError(message)
     printed = [name for name in ("csv", "html") if str(getattr(options, name)) == PRINTED]
     if len(printed) + bool(options.json) > 1:
@@ -79,10 +81,27 @@ def result(file: MotionFile, seconds: float) -> OwnResult:
 
 
 def _beside(file: MotionFile) -> tuple[OutsideReference, ...]:
-    """Return what other planners say of a motion that rests at every waypoint."""
-    if not isinstance(file.problem, MinimumTime):
-        return ()
-    return references_of(file.problem, paper="", name=file.title)
+    """Return what other planners say of a motion, or why they are not asked."""
+    if isinstance(file.problem, MinimumTime | MinimumTimeSpline):
+        found = references_of(file.problem, paper="", name=file.title)
+        return tuple(
+            replace(each, what=each.what.replace("the paper's own", "the motion's own"))
+            for each in found
+        )
+    return not_asked(_kind(file.problem), paper="", name=file.title)
+
+
+def _kind(problem: PolynomialMotion | DirectedSpline) -> str:
+    if isinstance(problem, DirectedSpline) and problem.jerk is not None:
+        return "a spline with a jerk limit"
+    if isinstance(problem, PolynomialMotion) and any(
+        (*(problem.start or ()), *(problem.end or ()))
+    ):
+        return "a motion that does not rest at its ends"
+    limits = (problem.velocity, problem.acceleration, problem.jerk or ())
+    if any(low != -high for pairs in limits for low, high in pairs):
+        return "limits that differ by direction"
+    return "polynomials of so high a degree"
 
 
 def lines(found: OwnResult) -> Iterator[str]:

@@ -16,7 +16,7 @@ from repro.commands.motion_values import (
     row_of_numbers,
     text,
 )
-from repro.errors import InputError, ReproError
+from repro.errors import DeclarationError, InputError, ReproError
 from repro.robotics import DirectedSpline, MinimumTime, RestToRestLaw
 from repro.robotics.bsplines import Ends
 from repro.robotics.motion_checks import Rows, numbers, rows, shown
@@ -219,15 +219,18 @@ def _spline(given: Mapping[str, Any], points: Rows, limits: Mapping[str, Rows]) 
     }
     _check_spline(given, joints, rule["ends"])
     _check_inside(points, limits.get("range", ()))
-    spline = DirectedSpline(
-        nodes=points,
-        velocity=limits["velocity"],
-        acceleration=limits["acceleration"],
-        jerk=limits.get("jerk"),
-        durations=_box(given),
-        ends=_rule(rule["ends"]),
-        time_ends=_rule(rule["time_ends"]),
-    )
+    try:
+        spline = DirectedSpline(
+            nodes=points,
+            velocity=limits["velocity"],
+            acceleration=limits["acceleration"],
+            jerk=limits.get("jerk"),
+            durations=_box(given),
+            ends=_rule(rule["ends"]),
+            time_ends=_rule(rule["time_ends"]),
+        )
+    except DeclarationError as error:  # nodes are called waypoints in a file
+        raise Faulty(str(error).replace("nodes", "waypoints", 1)) from None
     if _even(spline.velocity) and _even(spline.acceleration) and spline.jerk is None:
         return spline.widest
     return spline
@@ -240,7 +243,7 @@ def _check_spline(given: Mapping[str, Any], joints: int, ends: str) -> None:
         if speeds is not None and (any(speeds) or ends != "still"):
             message = (
                 f"{key}: a spline has none of its own: 0 with ends = 'still', and what its "
-                f"durations make it with ends = {ends!r}; leave it out"
+                f"durations make it with other ends; leave it out"
             )
             raise Faulty(message)
 

@@ -65,6 +65,21 @@ def references_of(
     return tuple(_asked(paper, name, problem, planner) for planner in (ruckig_time, toppra_time))
 
 
+def not_asked(kind: str, *, paper: str, name: str) -> tuple[OutsideReference, ...]:
+    """Return that no planner is asked of a motion of some other kind."""
+    return tuple(
+        OutsideReference(
+            paper=paper,
+            problem=name,
+            planner=planner,
+            what="",
+            time=None,
+            skipped=f"not asked of {kind}",
+        )
+        for planner in ("ruckig", "toppra")
+    )
+
+
 def _asked(
     paper: str, name: str, problem: Problem, planner: Callable[[Problem], float]
 ) -> OutsideReference:

@@ -220,6 +220,58 @@ def test_page_of_what_nothing_obeys_says_so(
     assert not samples.exists()
 
 
+def test_row_of_a_spline_that_nothing_obeys_says_what_it_takes_whatever_the_durations(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    free = repro.certify(write(tmp_path, **SPLINE))
+    code, out, _ = asked(capsys, write(tmp_path, **SPLINE, durations="[0.1, 0.6]"))
+
+    assert code == 0
+    assert "No durations from 0.1 to 0.6 s obey" in out
+    said = re.search(
+        r"Whatever the durations, a motion that obeys takes (\S+) s or more; "
+        r"with (\S+) \+ (\S+) s one",
+        out,
+    )
+    assert said
+    least, *durations = map(float, said.groups())
+    assert least == pytest.approx(free.lower_bound, rel=1e-5)
+    assert durations == pytest.approx(free.at, rel=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("changed", "kind"),
+    [
+        ({"law": '"spline"'}, "a spline with a jerk limit"),
+        (
+            {**SPLINE, "velocity": "[[-90, 180], [-9, 9], [-9, 9]]"},
+            "limits that differ by direction",
+        ),
+        ({"jerk": "[[-90, 180], [-9, 9], [-9, 9]]"}, "limits that differ by direction"),
+        ({"end_velocity": "[0, 1, 0]"}, "a motion that does not rest at its ends"),
+        ({"law": "11"}, "polynomials of so high a degree"),
+    ],
+)
+def test_row_says_of_what_no_other_planner_is_asked(
+    changed: dict[str, str], kind: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    _, out, _ = asked(capsys, write(tmp_path, **changed), "--seconds", 0)
+
+    assert [f"  {planner}: skipped, not asked of {kind}" for planner in ("ruckig", "toppra")] == [
+        line for line in out.splitlines() if "skipped" in line
+    ]
+
+
+@pytest.mark.parametrize("changed", [SPLINE, {}])
+def test_words_beside_a_motion_of_ones_own_speak_of_no_paper(
+    changed: dict[str, str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    _, out, _ = asked(capsys, write(tmp_path, **changed), "--seconds", 0)
+
+    assert "toppra: " in out
+    assert "paper" not in out
+
+
 def test_free_durations_that_nothing_obeys_are_no_box_and_the_segment_at_fault_alone_binds(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -277,6 +329,7 @@ def test_free_durations_that_nothing_obeys_are_no_box_and_the_segment_at_fault_a
         ({"law": '"spline"', "jerk": "[9, -9, 9]"}, "jerk of joint 2: -9 must be above 0"),
         ({"law": '"spline"', "jerk": "[9, 9]"}, "jerk: 2 entries for 3 joints"),
         ({**SPLINE, "start_velocity": "[1, 0, 0]"}, "start_velocity: a spline has none of its own"),
+        ({**SPLINE, "waypoints": "[[0, 0, 1], [0, 0, 1]]"}, "waypoints 1 and 2 are equal"),
         ({**SPLINE, "ends": '"free"'}, "ends: 'free' is not one of still, repeated, natural"),
         ({"convention": '"standard"'}, "convention belongs to a D-H table"),
         ({"dh": "[[0, 1, 2]]"}, "dh: 3 joints need 3 rows"),
@@ -313,7 +366,8 @@ def test_one_file_is_written_for_one_motion(
     option: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = write(tmp_path)
-    assert asked(capsys, path, path, option, tmp_path / "out")[0] == 2
+    code, _, err = asked(capsys, path, path, option, tmp_path / "out")
+    assert (code, err) == (2, f"repro: {option} takes one motion, not 2: {path}, {path}\n")
     assert asked(capsys, path, option, tmp_path / "none" / "out")[0] == 2
     assert asked(capsys, path, "--seconds", -1)[0] == 2
 
@@ -381,7 +435,7 @@ def test_spline_whose_jerk_is_limited_is_certified_sampled_and_drawn(
     assert "a jerk 100 % of its own" in out
     assert "those of the jerk" in row["method"]
     assert row["gap"] <= 1e-5
-    assert row["beside"] == []
+    assert [each["time"] for each in row["beside"]] == [None, None]
     assert "jerk" in page.read_text(encoding="utf-8")
 
 

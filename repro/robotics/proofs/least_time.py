@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 
 from repro.errors import NotProvedError
 from repro.robotics.directed_spline import Spline, jerk_of, sides
@@ -133,8 +134,27 @@ def _spline(problem: Spline, watch: Watch | None, units: Sequence[str]) -> Least
         at=tuple(map(float, proof.durations)),
         binding=(*_at_the_ends(problem, proof), *_holding(problem, proof, units)),
         box=problem.durations,
-        explanation=_explanation(problem, proof, lower, attained),
+        explanation=_explanation(problem, proof, lower, attained)
+        + ("" if lower is not None else _whatever(problem, watch)),
     )
+
+
+def _whatever(problem: Spline, watch: Watch | None) -> str:
+    """Return what a motion takes where no durations allowed obey, as far as it is found."""
+    if problem.durations == FREE:
+        return ""
+    free = replace(problem, durations=FREE)
+    try:
+        proof = prove(free) if watch is None else prove_within(free, watch)
+    except NotProvedError:
+        return ""
+    if not math.isfinite(proof.lower_bound):
+        return ""
+    lower = math.nextafter(float(proof.lower_bound), 0.0)
+    found = f" Whatever the durations, a motion that obeys takes {lower:.6g} s or more"
+    if proof.durations:
+        found += f"; with {' + '.join(f'{float(each):.6g}' for each in proof.durations)} s one does"
+    return f"{found}."
 
 
 def _explanation(

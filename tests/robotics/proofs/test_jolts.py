@@ -90,18 +90,18 @@ def test_row_of_one_motion_holds_for_it_just_where_it_obeys(
     assert abs(room + broken(limit, h) / slope) <= lost
 
 
-@given(spans, joints, places, signs, ratios, durations, st.lists(seconds, min_size=3, max_size=3))
+@settings(suppress_health_check=[HealthCheck.filter_too_much])
+@given(spans, joints, places, ratios, durations, st.lists(seconds, min_size=3, max_size=3))
 def test_what_a_row_loses_falls_with_the_square_of_the_box(
     span: int,
     joint: int,
     u: Fraction,
-    sign: int,
     ratio: float,
     low: list[Fraction],
     width: list[Fraction],
 ) -> None:
-    limit = jolt(MODEL, span, joint, u, sign=sign, ratio=ratio)
-    assume(limit.share <= 0)
+    both = (jolt(MODEL, span, joint, u, sign=sign, ratio=ratio) for sign in (-1, 1))
+    limit = min(both, key=lambda each: each.share)
     lost = []
     for part in (10**3, 10**4):
         box: Box = tuple((a, a + w / part) for a, w in zip(low, width, strict=True))
