@@ -20,6 +20,7 @@ DECISIVE = (
 PACKAGES = ("numpy", "numba", "llvmlite", "scipy", "matplotlib", "jinja2")
 _PACKAGE = Path(__file__).parent.parent
 _DISTRIBUTION = "repro-whales"
+_OWN = ("..", "../../papers")  # folders with files of ours, from here
 
 
 def provenance() -> dict[str, object]:
@@ -44,13 +45,15 @@ def provenance() -> dict[str, object]:
 def _commit() -> str:
     """Return the commit of the package's own files; elsewhere its version and a digest of them.
 
-    A repository around the package says nothing of it unless it tracks it.
+    A repository around the package says nothing of it unless it tracks it. "-dirty" stands after
+    the commit where files of the package differ from it: pages that are written meanwhile do not.
     """
     module = Path(__file__).name
     if _git("ls-files", "--error-unmatch", "--", module) is not None:
-        found = _git("describe", "--always", "--dirty", "--abbrev=12", "--exclude=*")
+        found = _git("describe", "--always", "--abbrev=12", "--exclude=*")
         if found:
-            return found
+            changed = any(_git("status", "--porcelain", "--", folder) for folder in _OWN)
+            return f"{found}-dirty" if changed else found
     return f"{_version()}, sources {_sources()} (no git checkout)"
 
 

@@ -100,6 +100,20 @@ def test_variables_of_git_name_no_other_repository(installed: Path) -> None:
     assert ours.startswith(told.removesuffix("-dirty"))
 
 
+def test_commit_is_dirty_where_files_of_the_package_differ_and_not_by_those_around_it(
+    installed: Path,
+) -> None:
+    project = installed.parents[1]
+    git(project, "add", "-A")
+    git(project, "commit", "-qm", "ours")
+    (project / "theirs.txt").write_text("changed", encoding="utf-8")
+    assert not commit_told(installed).endswith("-dirty")
+
+    module = installed / "repro" / "errors.py"
+    module.write_text(module.read_text(encoding="utf-8") + "\n", encoding="utf-8")
+    assert commit_told(installed).endswith("-dirty")
+
+
 def test_other_sources_have_another_digest(installed: Path) -> None:
     before = commit_told(installed)
     module = installed / "repro" / "determinism" / "seeds.py"
