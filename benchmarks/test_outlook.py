@@ -26,17 +26,25 @@ OUTLOOK = Section(
 _SAID = re.compile(r"\((\d+) %\), (?:(\d+) h )?(?:(\d+) min ?)?(?:(\d+) s )?left")
 
 
+def read(text: str) -> tuple[int, int] | None:
+    """Return the share in % and the seconds left that a bar says; None where none is there."""
+    said = _SAID.search(text)
+    if said is None:
+        return None
+    share, hours, minutes, seconds = (int(part or 0) for part in said.groups())
+    return share, 3600 * hours + 60 * minutes + seconds
+
+
 def looks(call: tuple[str | Path, ...], environment: dict[str, str]) -> Iterator[tuple[float, ...]]:
     """Yield the instant, the share in %, and the seconds left of each look at a terminal's bar."""
     ours, theirs = pty.openpty()
     with subprocess.Popen(call, env=environment, stdout=subprocess.DEVNULL, stderr=theirs) as child:
         os.close(theirs)
         while True:
-            said = _SAID.search(os.read(ours, 4096).decode(errors="replace"))
-            if said:
-                share, hours, minutes, seconds = (int(part or 0) for part in said.groups())
-                yield monotonic(), share, 3600 * hours + 60 * minutes + seconds
-                if share == 100:
+            found = read(os.read(ours, 4096).decode(errors="replace"))
+            if found:
+                yield monotonic(), *found
+                if found[0] == 100:
                     break
         child.terminate()
     os.close(ours)

@@ -1,12 +1,25 @@
+from pathlib import Path
+
 import pytest
 
-from benchmarks import test_audit, test_engine, test_limit, test_peers
+from benchmarks import (
+    test_audit,
+    test_engine,
+    test_limit,
+    test_outlook,
+    test_pages,
+    test_peers,
+    test_scale,
+)
 from benchmarks.goals import GOALS, Goal, held_against, measured
 from benchmarks.results import Results, Section
+from benchmarks.scale import exponent
+from benchmarks.sessions import SESSIONS, last_runs
 
 SECTIONS = (
-    *(test_engine.WHOLE, test_engine.RUNS, test_engine.CORES),
-    *(test_audit.AUDIT, test_limit.LIMIT, test_peers.PEERS),
+    *(test_engine.WHOLE, test_engine.RUNS, test_engine.CORES, test_outlook.OUTLOOK),
+    *(test_audit.AUDIT, test_limit.LIMIT, test_peers.PEERS, test_pages.REPORTS),
+    *(test_scale.STUDIES, SESSIONS),
 )
 SPEED = Goal(says="a", section="Speed", where={"who": "a"}, column="times", bound=1000, unit=" ×")
 
@@ -63,3 +76,27 @@ def test_a_goal_is_held_against_what_was_measured_and_not_against_what_is_shown(
 
     assert shown == "0.90"
     assert goal.came_to([{"x": shown}]) == "**missed**: 0.896"
+
+
+def test_a_session_is_shown_as_it_last_ran(tmp_path: Path) -> None:
+    noted = tmp_path / "took.tsv"
+    assert not [*last_runs(noted)]
+    noted.write_text("nox -s a\t9.4\t2026-01-01\nb\t3\t2026-01-02\nnox -s a\t8.6\t2026-01-03\n")
+
+    assert [*last_runs(noted)] == [("`nox -s a`", "9", "2026-01-03"), ("`b`", "3", "2026-01-02")]
+
+
+@pytest.mark.parametrize("power", [0.5, 1.0, 2.0])
+def test_the_exponent_is_that_of_a_power_law(power: float) -> None:
+    assert exponent([(n, 3.0 * n**power) for n in (10, 100, 1000)]) == pytest.approx(power)
+
+
+@pytest.mark.parametrize(
+    ("said", "seconds"),
+    [("7 s", 7), ("3 min 20 s", 200), ("2 h 5 min", 7500)],
+)
+def test_the_bar_is_read_as_it_is_said(said: str, seconds: int) -> None:
+    found = test_outlook.read(f"\r███·· 12/98 runs (12 %), {said} left: syji, motion\x1b[K")
+
+    assert found == (12, seconds)
+    assert test_outlook.read("pages: reports/index.html") is None
