@@ -52,7 +52,7 @@ def _commit() -> str:
     if _git("ls-files", "--error-unmatch", "--", module) is not None:
         found = _git("describe", "--always", "--abbrev=12", "--exclude=*")
         if found:
-            changed = any(_git("status", "--porcelain", "--", folder) for folder in _OWN)
+            changed = any(_git("status", "--porcelain", "-uno", "--", folder) for folder in _OWN)
             return f"{found}-dirty" if changed else found
     return f"{_version()}, sources {_sources()} (no git checkout)"
 

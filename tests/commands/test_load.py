@@ -61,7 +61,8 @@ def test_findings_are_the_rows_of_the_csv_files(place: Path) -> None:
     found = repro.load(place / "reports").findings
 
     path = place / "reports" / "tables" / "small2020-table-1.csv"
-    file = pd.read_csv(path, float_precision="round_trip")  # older pandas loses a last bit
+    exact = ("printed", "value", "measured_low")  # of which older pandas loses a last bit
+    file = pd.read_csv(path, dtype=dict.fromkeys(exact, str))
     own = found[list(FINDING)].reset_index(drop=True)
     assert list(file) == list(FINDING)
     assert len(own) == 4

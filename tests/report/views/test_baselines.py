@@ -57,7 +57,7 @@ def test_markdown_raises_powers_of_ten_and_keeps_bars_in_their_cells() -> None:
 
     assert "| a\\|b |" in text
     assert "| 2.000×10<sup>−9</sup> |" in text
-    assert "| &lt;b&gt;\\| |" in text
+    assert "| &lt;b>\\| |" in text
 
 
 def test_page_calls_the_equal_budget_what_a_run_may_spend() -> None:
