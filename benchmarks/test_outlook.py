@@ -19,8 +19,8 @@ ROOT = Path(__file__).parent.parent
 OUTLOOK = Section(
     title="The time left",
     text="How far the seconds that the bar says are left lie from those that passed until the last "
-    "run, as a share of these, while 10 to 90 % are done: the second repeat of all papers, after a "
-    "first one in an earlier call.",
+    "run, as a share of these, while 10 to 90 % are done: the second repeat of each protocol, "
+    "after a first one in an earlier call.",
     columns=("looks", "runs took [s]", "farthest off"),
 )
 _SAID = re.compile(r"\((\d+) %\), (?:(\d+) h )?(?:(\d+) min ?)?(?:(\d+) s )?left")
@@ -51,7 +51,7 @@ def looks(call: tuple[str | Path, ...], environment: dict[str, str]) -> Iterator
 
 
 def test_time_left(benchmark: BenchmarkFixture, results: Results, folder: Path) -> None:
-    call = (sys.executable, "-m", "repro", "reproduce", "--repeats", "2")
+    call = (sys.executable, "-m", "repro", "reproduce", "--repeats", "2", "--protocol-only")
     places = ("--store", folder / "second", "--reports", folder / "second reports")
     environment = os.environ | {"NUMBA_CACHE_DIR": str(folder / "numba"), "PYTHONPATH": str(ROOT)}
     seen = timed(benchmark, lambda: list(looks((*call, *places), environment)))
