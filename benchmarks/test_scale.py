@@ -13,10 +13,10 @@ from benchmarks.scale import STEPS, exponent, measured
 SIZES = (10**4, 10**5)
 STUDIES = Section(
     title="Studies of many runs",
-    text="Seconds by the clock and MB of one step of a made-up study of short runs, each in a "
-    "process of its own that loads and compiles first; `nox -s scale` goes on from here "
+    text="Seconds by the clock of one step of a made-up study of short runs, each in a process of "
+    "its own that loads and compiles first; `nox -s scale` goes on from here, and measures memory "
     "(docs/scale.md). The exponent is that of the seconds by the runs.",
-    columns=("step", "runs", "s", "runs, more", "s, more", "exponent", "MB", "MB, more"),
+    columns=("step", "runs", "s", "runs, more", "s, more", "exponent"),
 )
 
 
@@ -35,5 +35,4 @@ def test_step(
     found = timed(benchmark, both)
     points = [(each["runs"], each["seconds"]) for each in found]
     cells = [cell for count, taken in points for cell in (f"{count:.0f}", f"{taken:.1f}")]
-    memory = (f"{each['memory']:.0f}" for each in found)
-    results.add(STUDIES, step, *cells, shown(exponent(points), ".2f"), *memory)
+    results.add(STUDIES, step, *cells, shown(exponent(points), ".2f"))
