@@ -51,6 +51,7 @@ def _noted(command: str, *, whole: bool = True) -> Iterator[None]:
     yield
     if whole:
         took = f"{time.monotonic() - begun:.1f}\t{time.strftime('%Y-%m-%d')}"
+        pathlib.Path(".nox").mkdir(exist_ok=True)  # environments may be elsewhere
         with pathlib.Path(".nox/took.tsv").open("a", encoding="utf-8") as file:
             file.write(f"{command}\t{took}\n")
 
