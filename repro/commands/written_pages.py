@@ -24,18 +24,9 @@ from repro.runs.raw_runs import RawRuns, drawn_as
 from repro.runs.store.store import Store
 from repro.runs.studies import studies
 from repro.runs.workers.local import usable_cores
-from repro.runs.workers.side_by_side import side_by_side
+from repro.runs.workers.side_by_side import Ask, side_by_side
 
 Run = Callable[[Sequence[Task]], None]
-_WANTS = b"wants "  # no JSON object begins so
-
-
-class WantedError(Exception):
-    """Runs are wanted, so many repeats of some cells, that only the first process can make."""
-
-    def __init__(self, depths: Mapping[Cell, int]) -> None:
-        """Keep how many repeats of which cells."""
-        self.depths = depths
 
 
 def write_pages(
@@ -100,46 +91,41 @@ def made_pages(
 
 
 def _made(store: Store, left: Sequence[Request], run: Run | None) -> Iterator[tuple[str, bytes]]:
-    """Yield what is made of papers; after runs that one wants it is judged again."""
-    tried: set[tuple[str, bytes]] = set()
+    """Yield what is made of papers in copies of this process, which makes the runs they want."""
     if left:
         import scipy.stats  # noqa: F401, PLC0415 (slow to load, and once for all copies)
-    while left:
-        left = sorted(left, key=lambda each: -each.extent.runs)
-        calls = [partial(_apart, store.folder, each, ask=run is not None) for each in left]
-        with store.set_down():
-            answers = side_by_side(calls, usable_cores())
-        again = []
-        for each, answer in zip(left, answers, strict=True):
-            wants = answer is not None and answer.startswith(_WANTS)
-            if answer and wants and run and (each.paper.key, answer) not in tried:
-                tried.add((each.paper.key, answer))
-                run(_wanted(each, answer))
-                again.append(each)
-            else:  # a copy that failed, or wants what cannot be made, has its say here
-                yield each.paper.key, pages(store, each, run) if wants or not answer else answer
-        left = again
+    left = sorted(left, key=lambda each: -each.extent.runs)
+
+    def make(number: int, wants: bytes) -> None:
+        with store.taken_up():
+            (run or _none)(_wanted(left[number], wants))
+
+    calls = [partial(_apart, store.folder, each, run is not None) for each in left]
+    with store.set_down():
+        answers = side_by_side(calls, usable_cores(), make)
+    for each, answer in zip(left, answers, strict=True):
+        # a copy that failed has its say here
+        yield each.paper.key, pages(store, each, run) if answer is None else answer
 
 
-def _apart(folder: Path, asked: Request, *, ask: bool) -> bytes:
+def _apart(folder: Path, asked: Request, may_ask: bool, ask: Ask) -> bytes:  # noqa: FBT001 (bound)
     """Return what is made of a paper in a copy of the process that has the store."""
     with Store(folder, writing=False) as store:
 
         def wanted(more: Sequence[Task]) -> None:
             finished = store.finished(asked.paper.key)
-            if ask and any(task.key not in finished for task in more):
-                raise WantedError({cell_of(task): task.repeat for task in more})
+            if may_ask and any(task.key not in finished for task in more):
+                depths = {cell_of(task): task.repeat for task in more}
+                wants = json.dumps([(*cell, depth) for cell, depth in depths.items()])
+                with store.set_down():  # what is opened later has the new runs
+                    ask(wants.encode())
 
-        try:
-            return pages(store, asked, wanted)
-        except WantedError as error:
-            depths = [(*cell, depth) for cell, depth in error.depths.items()]
-            return _WANTS + json.dumps(depths).encode()
+        return pages(store, asked, wanted)
 
 
-def _wanted(asked: Request, answer: bytes) -> Sequence[Task]:
+def _wanted(asked: Request, wants: bytes) -> Sequence[Task]:
     """Return the runs that a copy wants."""
-    depths = {tuple(cell): depth for *cell, depth in json.loads(answer.removeprefix(_WANTS))}
+    depths = {tuple(cell): depth for *cell, depth in json.loads(wants)}
     tasks = asked.tasks()
     others = studies(asked.paper, max(asked.extent.repeats.values()))
     return deeper_tasks(asked.paper, others, depths, tasks[0].seed)

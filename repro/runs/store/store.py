@@ -221,6 +221,15 @@ class Store:
         finally:
             self._open()
 
+    @contextmanager
+    def taken_up(self) -> Iterator[None]:
+        """Open the file for a while where it is set down."""
+        self._open()
+        try:
+            yield
+        finally:
+            self._close()
+
     def repeats(self) -> int:
         """Return how many repeats the runs are of; a damaged row adds one at most."""
         with self._refusing():

@@ -1,4 +1,7 @@
-"""Calls side by side, in copies of this process: what they find comes back as bytes."""
+"""Calls side by side, in copies of this process: what they find comes back as bytes.
+
+A call may ask the first process for what only that one can do, and waits until it is done.
+"""
 
 import multiprocessing
 import signal
@@ -11,12 +14,20 @@ from contextlib import suppress
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
 
-Call = Callable[[], bytes]
+Ask = Callable[[bytes], None]
+"""What a call asks by: it returns when the first process has done what it was asked for."""
+
+Call = Callable[[Ask], bytes]
 _NO_MORE = -1
+_FOUND, _ASKS = b"=", b"?"
 
 
-def side_by_side(calls: Sequence[Call], workers: int) -> list[bytes | None]:
+def side_by_side(
+    calls: Sequence[Call], workers: int, do: Callable[[int, bytes], None]
+) -> list[bytes | None]:
     """Return what each call returns, in their order; so many are at work at once.
+
+    `do` is what this process does for a call, by its number, that asks; what it raises ends all.
 
     The first are begun first. A copy makes one call after another, so that what several load or
     work out is found once in each. It is None for a call that failed or whose process died, and
@@ -34,8 +45,14 @@ def side_by_side(calls: Sequence[Call], workers: int) -> list[bytes | None]:
                 connection, process = _copy(calls)
                 running[connection] = _begun(connection, left), process
             for connection in [each for each in running if each in wait(list(running))]:
-                number, process = running.pop(connection)
-                found[number] = _received(connection)
+                number, process = running[connection]
+                said = _received(connection)
+                if said and said.startswith(_ASKS):
+                    do(number, said.removeprefix(_ASKS))
+                    _done(connection)
+                    continue
+                del running[connection]
+                found[number] = said and said.removeprefix(_FOUND)
                 if found[number] is not None and left:
                     running[connection] = _begun(connection, left), process
                 else:
@@ -53,6 +70,11 @@ def _begun(connection: Connection, left: deque[int]) -> int:
     with suppress(OSError):  # of a copy that is dead: nothing will be received of it
         connection.send(number)
     return number
+
+
+def _done(connection: Connection) -> None:
+    with suppress(OSError):  # of a copy that died while it waited
+        connection.send(None)
 
 
 def _can_be_copied() -> bool:
@@ -82,9 +104,14 @@ def _answer(calls: Sequence[Call], connection: Connection) -> None:
     """Send what each call returns that is asked for, and nothing more once one raises."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the first process
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
+
+    def ask(what: bytes) -> None:
+        connection.send_bytes(_ASKS + what)
+        connection.recv()
+
     with suppress(BaseException):
         while (number := connection.recv()) != _NO_MORE:
-            connection.send_bytes(calls[number]())
+            connection.send_bytes(_FOUND + calls[number](ask))
 
 
 def _received(connection: Connection) -> bytes | None:

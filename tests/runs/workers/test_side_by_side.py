@@ -1,5 +1,6 @@
 import multiprocessing
 import os
+import signal
 import threading
 import time
 from functools import partial
@@ -7,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from repro.runs.workers.side_by_side import side_by_side
+from repro.runs.workers.side_by_side import Ask, side_by_side
 
 
 @pytest.fixture(autouse=True)
@@ -17,25 +18,29 @@ def alone(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_what_calls_find_comes_back_in_their_order_from_as_many_processes_as_work() -> None:
-    found = side_by_side([partial(own_number, k) for k in range(5)], 2)
+    found = side_by_side([partial(own_number, k) for k in range(5)], 2, nothing)
     numbers = [each.partition(b" ")[2] for each in found if each]
     assert [each and each[:1] for each in found] == [b"0", b"1", b"2", b"3", b"4"]
     assert len({*numbers, str(os.getpid()).encode()}) == 3
 
 
-def own_number(k: int) -> bytes:
+def nothing(number: int, what: bytes) -> None:
+    pytest.fail(f"call {number} asked for {what!r}")
+
+
+def own_number(k: int, _: Ask) -> bytes:
     time.sleep(0.02 * (5 - k))
     return f"{k} {os.getpid()}".encode()
 
 
 def test_a_call_that_fails_or_dies_finds_nothing_and_stops_no_other() -> None:
-    def fails() -> bytes:
+    def fails(_: Ask) -> bytes:
         raise SystemExit(3)
 
-    def dies() -> bytes:
+    def dies(_: Ask) -> bytes:
         os._exit(0)
 
-    assert side_by_side([fails, dies, lambda: b"x" * (1 << 20)], 2) == [
+    assert side_by_side([fails, dies, lambda _: b"x" * (1 << 20)], 2, nothing) == [
         None,
         None,
         b"x" * (1 << 20),
@@ -44,11 +49,11 @@ def test_a_call_that_fails_or_dies_finds_nothing_and_stops_no_other() -> None:
 
 @pytest.mark.parametrize(("workers", "calls"), [(1, 2), (2, 1)])
 def test_nothing_is_made_apart_where_that_saves_no_time(workers: int, calls: int) -> None:
-    assert side_by_side([lambda: b"made"] * calls, workers) == [None] * calls
+    assert side_by_side([lambda _: b"made"] * calls, workers, nothing) == [None] * calls
 
 
 def test_an_interrupt_ends_what_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    def late() -> bytes:
+    def late(_: Ask) -> bytes:
         time.sleep(600)
         (tmp_path / "late").touch()
         return b""
@@ -58,8 +63,52 @@ def test_an_interrupt_ends_what_runs(tmp_path: Path, monkeypatch: pytest.MonkeyP
 
     monkeypatch.setattr("repro.runs.workers.side_by_side.wait", interrupted)
     with pytest.raises(KeyboardInterrupt):
-        side_by_side([late, late], 2)
+        side_by_side([late, late], 2, nothing)
     monkeypatch.undo()
+    assert all_have_ended()
+
+
+def all_have_ended() -> bool:
     for child in multiprocessing.active_children():
         child.join(10)
-    assert multiprocessing.active_children() == []
+    return multiprocessing.active_children() == []
+
+
+def test_what_a_call_asks_for_is_done_here_before_it_goes_on(tmp_path: Path) -> None:
+    def asks(k: int, ask: Ask) -> bytes:
+        for _ in range(2):
+            ask(str(tmp_path / str(k)).encode())
+        return (tmp_path / str(k)).read_bytes()
+
+    def do(number: int, what: bytes) -> None:
+        with Path(what.decode()).open("a", encoding="utf-8") as file:
+            file.write(f"{number} in {os.getpid()}. ")
+
+    found = side_by_side([partial(asks, k) for k in range(3)], 2, do)
+
+    assert found == [f"{k} in {os.getpid()}. ".encode() * 2 for k in range(3)]
+
+
+def test_a_call_that_dies_while_it_waits_stops_no_other() -> None:
+    def asks(ask: Ask) -> bytes:
+        ask(str(os.getpid()).encode())
+        return b"found"
+
+    def do(number: int, what: bytes) -> None:
+        if number == 0:
+            os.kill(int(what), signal.SIGKILL)
+
+    assert side_by_side([asks, asks, asks], 2, do) == [None, b"found", b"found"]
+
+
+def test_what_cannot_be_done_for_a_call_ends_all() -> None:
+    def asks(ask: Ask) -> bytes:
+        ask(b"")
+        return b""
+
+    def do(number: int, what: bytes) -> None:
+        raise KeyError(number, what)
+
+    with pytest.raises(KeyError):
+        side_by_side([asks, asks], 2, do)
+    assert all_have_ended()
