@@ -5,7 +5,7 @@ import sys
 from collections.abc import Sequence
 
 from repro.commands.arguments import parsed
-from repro.commands.kept_listing import told
+from repro.commands.kept_output import told
 from repro.commands.streams import one_line, shown_streams
 from repro.commands.surroundings import prepare
 from repro.errors import INTERRUPTED, TERMINATED, ReproError, Terminated
@@ -33,7 +33,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _called(arguments: Sequence[str] | None) -> int:
     options = parsed(arguments)
-    if options.command == "list" and told(options):
+    if told(options):
         return 0  # no paper is loaded where nothing changed
     # of all commands this one alone is loaded
     code: int = importlib.import_module(f"repro.commands.{options.command}").run(options)

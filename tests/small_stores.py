@@ -42,6 +42,12 @@ def change(folder: Path, statement: str) -> None:
         database.commit()
 
 
+def finished_keys(folder: Path) -> frozenset[str]:
+    """Return the keys of all finished runs in a store that is only read."""
+    with Store(folder, writing=False) as store:
+        return store.finished()
+
+
 def content(record: Record) -> tuple[object, ...]:
     """Return everything that a record says, bit by bit."""
     return (

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from repro.audit import audit
 from repro.audit.alone import tables_alone
 from repro.commands import catalogue
-from repro.commands.shown_rows import show
+from repro.commands.kept_output import tell
+from repro.commands.shown_rows import text_of
 from repro.model.paper import Paper
 from repro.report.words import count_of
 from repro.tables.audit_words import read_lines, read_words
@@ -25,7 +26,8 @@ def run(options: Namespace) -> int:
     ]
     for paper in papers:
         lines.extend(_looked_at(paper, nothing=not found[paper.key]))
-    return show(rows, lines, as_json=options.json)
+    tell(options, text_of(rows, lines, as_json=options.json))
+    return 0
 
 
 def _looked_at(paper: Paper, *, nothing: bool) -> Iterator[str]:

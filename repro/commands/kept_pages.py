@@ -15,9 +15,9 @@ from pathlib import Path
 
 import repro
 from repro.commands.catalogue import of_this_house
-from repro.commands.kept_listing import FOLDER
-from repro.commands.unchanged import machine
+from repro.commands.kept_output import FOLDER
 from repro.determinism.definitions import import_closure
+from repro.determinism.provenance import provenance
 from repro.determinism.source_files import path_of
 from repro.determinism.trees import installed, tree
 from repro.model.paper import Paper
@@ -26,6 +26,8 @@ from repro.report.results import Made
 from repro.runs.plan import Task
 from repro.runs.store.store import Store
 from repro.runs.studies import studies
+
+_OF_THE_DAY = ("date", "commit")  # what the provenance of a call says besides its machine
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -119,7 +121,8 @@ def name_of(asked: Request, files: Mapping[str, bytes], rows: Mapping[str, str])
 
 @cache
 def _surroundings() -> tuple[str, ...]:
-    return (*(tree(Path(folder)).hex() for folder in repro.__path__), *installed(), *machine())
+    machine = (f"{k} {v}" for k, v in provenance().items() if k not in _OF_THE_DAY)
+    return (*(tree(Path(folder)).hex() for folder in repro.__path__), *installed(), *machine)
 
 
 def rows_of_papers(store: Store) -> Mapping[str, str] | None:

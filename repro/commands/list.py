@@ -1,15 +1,16 @@
 """`repro list`: papers, experiments, tables, and how many runs are done."""
 
+import json
 from argparse import Namespace
 
 from repro.commands import catalogue
-from repro.commands.kept_listing import keep_listing, show
+from repro.commands.kept_output import tell
 from repro.commands.listed_papers import listing
+from repro.commands.listing_text import listing_text
 
 
 def run(options: Namespace) -> int:
     """Print the papers; the runs in the store are read and not changed."""
     rows = listing(catalogue.chosen(options), options.repeats, options.store)
-    if not options.faulty:
-        keep_listing(options, rows)
-    return show(rows, as_json=options.json)
+    tell(options, json.dumps(rows, indent=2) + "\n" if options.json else listing_text(rows))
+    return 0

@@ -9,7 +9,7 @@ from repro.commands.made_before import changed_since, unreadable
 from repro.commands.shown_rows import warn
 from repro.model.paper import Paper
 from repro.runs.plan import plan
-from repro.runs.store.store import finished_keys
+from repro.runs.store.store import Store
 from repro.runs.studies import studies
 
 Row = dict[str, Any]
@@ -17,7 +17,8 @@ Row = dict[str, Any]
 
 def listing(papers: Iterable[Paper], repeats: int, store: Path) -> list[Row]:
     """Return one row per paper; the store is read and not changed."""
-    finished = finished_keys(store)
+    with Store(store, writing=False) as opened:
+        finished = opened.finished()
     if unreadable(store):
         warn(f"what the runs in {store} were made of cannot be read: no change is named")
     return [_row(paper, repeats, finished, store) for paper in papers]

@@ -9,15 +9,15 @@ from repro.commands import catalogue
 from repro.commands.compiled_code import say_whether_kept
 from repro.commands.expected_verdicts import expected_rows, summary
 from repro.commands.interrupts import terminable
+from repro.commands.kept_output import tell
 from repro.commands.made_before import remember
 from repro.commands.progress import Progress
 from repro.commands.running import run_lacking
 from repro.commands.shown_rows import warn
-from repro.commands.unchanged import Written
 from repro.commands.written_pages import Run, write_pages
 from repro.errors import SOME_RUN_FAILED, Terminated
 from repro.report.earlier import check_folder
-from repro.report.results import Json, read_results
+from repro.report.results import Json
 from repro.runs.plan import Task, plan, planned
 from repro.runs.run import Record
 from repro.runs.session import mended
@@ -34,37 +34,34 @@ def run(options: Namespace) -> int:
         chosen, options.repeats, options.master_seed, protocol_only=options.protocol_only
     )
     lists = _looked_at(options, keys, known)
-    written = Written(
-        tasks=tasks, chosen=keys, known=known,
-        declarations=catalogue.folders(), reports=options.reports,
-    )  # fmt: skip
 
     def pages(of: Sequence[Task], deeper: Run | None = None) -> Json:
         said = {"called": options.called, "places": options.places}
         return write_pages(store, chosen, of, options.reports, known, deeper, **said)
 
-    def work() -> tuple[list[Record], Json | None]:
-        if catalogue.of_this_house(options.places.values()) and written.stand(store):
-            return [], read_results(options.reports / "results.json")
+    def work() -> tuple[list[Record], Json]:
         at_first = plan(chosen, 1, options.master_seed, protocol_only=True)
         failed = _run(store, tasks, at_first, options, pages)
         remember(options.store, chosen)
         results = pages(
             tasks, lambda more: failed.extend(run_lacking(store, more, options, Progress()))
         )
-        written.remember(store)
         return failed, results
 
     with terminable(), Store(options.store, say=warn) as store:
         failed, results = mended(store, work)
     for record in failed:
         warn(f"run {record.task.name} failed: {record.reason}")
-    sys.stdout.write(f"pages: {options.reports / 'index.html'}\n")
-    sys.stdout.write(summary(results or {"papers": []}, lists, options.master_seed))
+    said = f"pages: {options.reports / 'index.html'}\n"
+    said += summary(results, lists, options.master_seed)
     for paper in chosen:
         if not paper.experiments:
-            sys.stdout.write(f"{paper.key} has no experiments: nothing was to be run\n")
-    return SOME_RUN_FAILED if failed else 0
+            said += f"{paper.key} has no experiments: nothing was to be run\n"
+    if failed:
+        sys.stdout.write(said)
+        return SOME_RUN_FAILED
+    tell(options, said)
+    return 0
 
 
 def _run(

@@ -7,7 +7,7 @@ from functools import partial
 from pathlib import Path
 from types import MappingProxyType
 
-from repro.commands.kept_listing import FOLDER
+from repro.commands.kept_output import FOLDER
 from repro.commands.kept_pages import Request, extent_of, names_of, packed, unpacked
 from repro.commands.shown_rows import warn
 from repro.judge.judgement import Judgement, judge

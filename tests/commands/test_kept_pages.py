@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from repro.commands.kept_listing import FOLDER
+from repro.commands.kept_output import FOLDER
 from repro.commands.kept_pages import (
     _surroundings,
     declared_by,

@@ -6,6 +6,7 @@ from contextlib import closing, suppress
 from itertools import count, islice
 from pathlib import Path
 
+from repro.errors import DamageError
 from repro.runs.store.file import UNREADABLE, read_any_text
 from repro.runs.store.row import COLUMNS, Row, digest, unpack, whole_curve
 from repro.runs.store.settled import NAME
@@ -110,3 +111,8 @@ def _take_over_one(database: sqlite3.Connection, row: Row) -> None:
         (*values, sha),
     )
     database.execute("insert into curve values (?, ?, ?)", (added.lastrowid, curve, packed))
+
+
+def with_cure(damage: DamageError) -> DamageError:
+    """Return the error with what mends the file, for who only reads it."""
+    return DamageError(f"{damage}; `repro reproduce` sets it aside and runs again what it held")

@@ -20,6 +20,7 @@ from repro.runs.store.damage import (
     set_file_aside,
     take_over,
     whole_rows,
+    with_cure,
 )
 from repro.runs.store.file import UNREADABLE, open_to_read, open_to_write, refusing
 from repro.runs.store.lock import lock, lock_to_read
@@ -95,7 +96,7 @@ class Store:
                 self._use(open_to_read(self.path, alone=self._lock is not None))
         except DamageError as damage:
             if not self._writing:
-                raise _with_cure(damage) from None
+                raise with_cure(damage) from None
             self._set_file_aside(damage)
 
     def _use(self, database: sqlite3.Connection) -> None:
@@ -112,7 +113,7 @@ class Store:
         except DamageError as damage:
             if self._writing:
                 raise
-            raise _with_cure(damage) from None
+            raise with_cure(damage) from None
 
     def begin(self, environment: Mapping[str, object]) -> None:
         """Say under which environment the runs that follow are made."""
@@ -294,13 +295,3 @@ class Store:
             f"{damage}; it is set aside as {aside}, {kept} whole runs are taken over from it, "
             "and any other is made again where it is asked for"
         )
-
-
-def _with_cure(damage: DamageError) -> DamageError:
-    return DamageError(f"{damage}; `repro reproduce` sets it aside and runs again what it held")
-
-
-def finished_keys(folder: Path) -> frozenset[str]:
-    """Return the keys of all finished runs in a store that is only read; none where none is."""
-    with Store(folder, writing=False) as store:
-        return store.finished()

@@ -22,9 +22,18 @@ from repro.runs.plan import plan
 from repro.runs.run import execute, failed
 from repro.runs.store import questions
 from repro.runs.store.file import APPLICATION, SCHEMA
-from repro.runs.store.store import Store, finished_keys
+from repro.runs.store.store import Store
 from tests.small_papers import LOST, Failing, searching
-from tests.small_stores import ENVIRONMENT, RECORDS, TASKS, change, content, filled, stored
+from tests.small_stores import (
+    ENVIRONMENT,
+    RECORDS,
+    TASKS,
+    change,
+    content,
+    filled,
+    finished_keys,
+    stored,
+)
 
 
 @pytest.fixture
