@@ -1,14 +1,17 @@
 import gc
 from collections.abc import Iterator
 from pathlib import Path
+from time import monotonic, strftime
 
 import pytest
 
 from benchmarks.chart import chart
+from benchmarks.goals import measured
 from benchmarks.results import Results
 from benchmarks.sessions import SESSIONS, last_runs
 
 _RESULTS = pytest.StashKey[Results]()
+_BEGUN = pytest.StashKey[float]()
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -17,6 +20,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 def pytest_configure(config: pytest.Config) -> None:
     config.stash[_RESULTS] = Results()
+    config.stash[_BEGUN] = monotonic()
 
 
 @pytest.fixture(scope="session")
@@ -43,6 +47,8 @@ def pytest_sessionfinish(session: pytest.Session) -> None:
     if page and results.rows:
         for row in last_runs():
             results.add(SESSIONS, *row)
+        took = measured(monotonic() - session.config.stash[_BEGUN], ".0f")
+        results.add(SESSIONS, "`nox -s bench`", took, strftime("%Y-%m-%d"))
         page.write_text(results.text(), encoding="utf-8")
         if results.curves:
             page.with_name("cost.svg").write_text(chart(results.curves), encoding="utf-8")

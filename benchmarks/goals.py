@@ -196,6 +196,7 @@ GOALS = (
             ("the same at 20 repeats", f"{_MISSION} --repeats 20", 480),
             ("`nox -s tests`", "nox -s tests", 180),
             ("`.ci/run`", ".ci/run", 420),
+            ("`nox -s bench`, installing not included", "nox -s bench", 600),
         )
     ),
     Goal(
@@ -225,6 +226,14 @@ GOALS = (
         says="share of baselines in them",
         section=_RUNS,
         column="baselines",
+        bound=25,
+        unit=" %",
+    ),
+    Goal(
+        says="share of deepened readings",
+        section=_RUNS,
+        where={"repeats": "10"},
+        column="deepened",
         bound=25,
         unit=" %",
     ),

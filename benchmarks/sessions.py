@@ -10,7 +10,8 @@ TOOK = Path(__file__).parent.parent / ".nox" / "took.tsv"
 SESSIONS = Section(
     title="Whole sessions",
     text="Seconds by the clock, installing included, as each last ran to its end in this checkout: "
-    "`reproduce` with no store and nothing compiled. Written by noxfile.py and `.ci/run`.",
+    "`reproduce` with no store and nothing compiled. Written by noxfile.py and `.ci/run`; of "
+    "`nox -s bench` it is this run, without installing.",
     columns=("command", "s", "on"),
 )
 

@@ -5,7 +5,6 @@ import subprocess
 import sys
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import replace
 from functools import partial
 from itertools import islice
 from pathlib import Path
@@ -31,7 +30,6 @@ from repro.runs.plan import Task, plan
 from repro.runs.run import Record, execute
 from repro.runs.session import run_missing
 from repro.runs.store.store import Store
-from repro.runs.time_left import kind_of
 from repro.runs.workers.local import usable_cores
 
 ROOT = Path(__file__).parent.parent
@@ -44,19 +42,15 @@ WHOLE = Section(
     title="Whole calls",
     text="Seconds of `repro reproduce --repeats 1` for all papers, as a program of its own. Cold: "
     "an empty store and nothing compiled, which is paid once per machine. Compiled: an empty "
-    "store. Nothing to do: everything stored, the pages as they were written.",
+    "store. Nothing to do: everything stored, the pages as they were written. What `reproduce` "
+    "with nothing to do, `list` and `audit` print is kept beside the store, and told again while "
+    "nothing changed: the first time takes as long as where nothing is kept.",
     columns=("call", "s"),
 )
 PARTS = Section(
     title="Parts of the engine",
     text="Milliseconds.",
     columns=("part", "how much", "ms"),
-)
-RUNS = Section(
-    title="All runs of the mission's papers",
-    text="Seconds that all planned runs take, from one run of each kind in processor time, by two "
-    "cores; readings that seem to turn a verdict are deepened by a sixth of that at most.",
-    columns=("repeats", "on 2 cores [s]", "protocol", "baselines", "other studies"),
 )
 CORES = Section(
     title="Scaling and overhead",
@@ -71,80 +65,54 @@ CORES = Section(
 )
 
 
-def reproduce(folder: Path, store: str) -> Callable[[], object]:
-    command = (sys.executable, "-m", "repro", "reproduce", "--repeats", "1")
-    places = ("--store", folder / store, "--reports", folder / f"{store} reports")
+def calling(folder: Path, place: str, *arguments: str) -> Callable[[], object]:
+    """Return a call of Python in a folder of its own, where commands have their store and pages."""
+    (folder / place).mkdir(exist_ok=True)
     environment = os.environ | {"NUMBA_CACHE_DIR": str(folder / "numba"), "PYTHONPATH": str(ROOT)}
     return partial(
-        subprocess.run, (*command, *places), env=environment, check=True, capture_output=True
-    )
+        subprocess.run, (sys.executable, *arguments),
+        env=environment, cwd=folder / place, check=True, capture_output=True,
+    )  # fmt: skip
 
 
 @pytest.mark.parametrize(
-    ("call", "store", "rounds"),
+    ("call", "place", "rounds"),
     [("cold", "first", 1), ("compiled", "second", 1), ("nothing to do", "second", 5)],
     ids=["cold", "compiled", "nothing to do"],
 )
 def test_reproduce(
-    benchmark: BenchmarkFixture, results: Results, folder: Path, call: str, store: str, rounds: int
+    benchmark: BenchmarkFixture, results: Results, folder: Path, call: str, place: str, rounds: int
 ) -> None:
     taken: list[float] = []
-    call_it = reproduce(folder, store)
+    call_it = calling(folder, place, "-m", "repro", "reproduce", "--repeats", "1")
     timed(benchmark, lambda: taken.append(seconds(call_it, perf_counter)), rounds=rounds)
     results.add(WHOLE, call, measured(median(taken), ".1f"))
 
 
 @pytest.mark.parametrize(
-    ("call", "arguments"),
+    ("call", "place", "arguments"),
     [
-        ("`report`", ("-m", "repro", "report", "--repeats", "1")),
-        ("`list`", ("-m", "repro", "list", "--repeats", "1")),
-        ("`audit syji`", ("-m", "repro", "audit", "syji")),
-        ("`import repro`", ("-c", "import repro")),
+        ("`report`", "second", ("-m", "repro", "report", "--repeats", "1")),
+        ("`list`", "second", ("-m", "repro", "list", "--repeats", "1")),
+        ("`list`, nothing kept", "none", ("-m", "repro", "list", "--repeats", "1")),
+        ("`audit syji`", "second", ("-m", "repro", "audit", "syji")),
+        ("`audit syji`, nothing kept", "none", ("-m", "repro", "audit", "syji")),
+        ("`import repro`", "none", ("-c", "import repro")),
     ],
-    ids=["report", "list", "audit", "import"],
+    ids=["report", "list", "first list", "audit", "first audit", "import"],
 )
 def test_everyday(
     benchmark: BenchmarkFixture,
     results: Results,
     folder: Path,
     call: str,
+    place: str,
     arguments: tuple[str, ...],
 ) -> None:
     """Commands at the store of `test_reproduce`, as programs of their own."""
-    places: tuple[str | Path, ...] = ()
-    if "--repeats" in arguments:
-        places = ("--store", folder / "second")
-    if "report" in arguments:
-        places = (*places, "--reports", folder / "second reports")
-    run = partial(
-        subprocess.run, (sys.executable, *arguments, *places), check=True, capture_output=True,
-        env=os.environ | {"NUMBA_CACHE_DIR": str(folder / "numba"), "PYTHONPATH": str(ROOT)},
-    )  # fmt: skip
+    run = calling(folder, place, *arguments)
     taken = in_turns(benchmark, {call: run}, rounds=3, clock=perf_counter)
     results.add(WHOLE, call, measured(median(taken[call]), ".2f"))
-
-
-def test_all_runs(benchmark: BenchmarkFixture, results: Results) -> None:
-    mission = [paper for paper in PAPERS.values() if not paper.control]
-    kinds: dict[tuple[str, ...], float] = {}
-
-    def one_of_each() -> None:
-        for task in plan(mission, TEN):
-            if kind_of(task) not in kinds:
-                execute(replace(task, iterations=1, evaluations=None))  # compiled before
-                kinds[kind_of(task)] = seconds(partial(execute, task))
-
-    timed(benchmark, one_of_each)
-    for repeats in (TEN, 2 * TEN):
-        spent = dict.fromkeys(("protocol", "baselines", "other studies"), 0.0)
-        for task in plan(mission, repeats):
-            inside = "baselines]" in task.experiment, "[" in task.experiment
-            name = {(True, True): "baselines", (False, True): "other studies"}.get(inside)
-            spent[name or "protocol"] += kinds[kind_of(task)]
-        whole = sum(spent.values())
-        shares = (measured(100 * part / whole, ".0f %") for part in spent.values())
-        results.add(RUNS, str(repeats), measured(whole / 2, ".0f"), *shares)
 
 
 def test_compiling(benchmark: BenchmarkFixture, results: Results, folder: Path) -> None:
@@ -215,7 +183,7 @@ def test_storing(benchmark: BenchmarkFixture, results: Results, folder: Path) ->
 @pytest.mark.parametrize("paper", PAPERS.values(), ids=PAPERS)
 def test_judging(benchmark: BenchmarkFixture, results: Results, folder: Path, paper: Paper) -> None:
     tasks = plan([paper], 1)
-    with Store(folder / "second") as store:
+    with Store(folder / "second" / ".repro") as store:
         evidence = gather(store, paper, tasks)
     calls: dict[str, Callable[[], object]] = {
         "judging": partial(findings_of, paper.claims, evidence),
@@ -228,7 +196,7 @@ def test_judging(benchmark: BenchmarkFixture, results: Results, folder: Path, pa
 
 def test_pages(benchmark: BenchmarkFixture, results: Results, folder: Path) -> None:
     chosen, tasks = list(PAPERS.values()), plan(PAPERS.values(), 1)
-    with Store(folder / "second") as store:
+    with Store(folder / "second" / ".repro") as store:
         call = partial(write_pages, store, chosen, tasks, folder / "pages", list(PAPERS))
         taken = in_turns(benchmark, {"pages": call}, rounds=1)
     results.add(PARTS, "all pages, judging included", "one repeat", milliseconds(taken["pages"]))

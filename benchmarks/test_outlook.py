@@ -52,7 +52,7 @@ def looks(call: tuple[str | Path, ...], environment: dict[str, str]) -> Iterator
 
 def test_time_left(benchmark: BenchmarkFixture, results: Results, folder: Path) -> None:
     call = (sys.executable, "-m", "repro", "reproduce", "--repeats", "2", "--protocol-only")
-    places = ("--store", folder / "second", "--reports", folder / "second reports")
+    places = ("--store", folder / "second" / ".repro", "--reports", folder / "second" / "reports")
     environment = os.environ | {"NUMBA_CACHE_DIR": str(folder / "numba"), "PYTHONPATH": str(ROOT)}
     seen = timed(benchmark, lambda: list(looks((*call, *places), environment)))
     end = seen[-1][0]

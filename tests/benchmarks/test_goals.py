@@ -9,6 +9,7 @@ from benchmarks import (
     test_outlook,
     test_pages,
     test_peers,
+    test_runs,
     test_scale,
 )
 from benchmarks.goals import GOALS, Goal, held_against, measured
@@ -17,7 +18,7 @@ from benchmarks.scale import exponent
 from benchmarks.sessions import SESSIONS, last_runs
 
 SECTIONS = (
-    *(test_engine.WHOLE, test_engine.RUNS, test_engine.CORES, test_outlook.OUTLOOK),
+    *(test_engine.WHOLE, test_runs.RUNS, test_engine.CORES, test_outlook.OUTLOOK),
     *(test_audit.AUDIT, test_limit.LIMIT, test_peers.PEERS, test_pages.REPORTS),
     *(test_scale.STUDIES, SESSIONS),
 )
