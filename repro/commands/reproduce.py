@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from repro.commands import catalogue
-from repro.commands.compiled_code import say_whether_kept
+from repro.commands.compiled_code import compiling_ahead, say_whether_kept
 from repro.commands.expected_verdicts import expected_rows, summary
 from repro.commands.interrupts import terminable
 from repro.commands.kept_output import tell
@@ -33,6 +33,7 @@ def run(options: Namespace) -> int:
     tasks = planned(
         chosen, options.repeats, options.master_seed, protocol_only=options.protocol_only
     )
+    at_first = plan(chosen, 1, options.master_seed, protocol_only=True)
     lists = _looked_at(options, keys, known)
 
     def pages(of: Sequence[Task], deeper: Run | None = None) -> Json:
@@ -40,7 +41,6 @@ def run(options: Namespace) -> int:
         return write_pages(store, chosen, of, options.reports, known, deeper, **said)
 
     def work() -> tuple[list[Record], Json]:
-        at_first = plan(chosen, 1, options.master_seed, protocol_only=True)
         failed = _run(store, tasks, at_first, options, pages)
         remember(options.store, chosen)
         results = pages(
@@ -48,7 +48,8 @@ def run(options: Namespace) -> int:
         )
         return failed, results
 
-    with terminable(), Store(options.store, say=warn) as store:
+    # a copy that is made before the store is locked cannot hold the lock
+    with terminable(), compiling_ahead(at_first, tasks), Store(options.store, say=warn) as store:
         failed, results = mended(store, work)
     for record in failed:
         warn(f"run {record.task.name} failed: {record.reason}")

@@ -9,8 +9,8 @@ import sys
 import threading
 import warnings
 from collections import deque
-from collections.abc import Callable, Sequence
-from contextlib import suppress
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager, suppress
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
 
@@ -64,6 +64,26 @@ def side_by_side(
     return found
 
 
+@contextmanager
+def beside(call: Callable[[], object]) -> Iterator[None]:
+    """Have a copy of this process make a call meanwhile, as far as it gets; nothing comes back."""
+    if not _can_be_copied():
+        yield
+        return
+    process = _started(_quietly, call)
+    try:
+        yield
+    finally:
+        process.kill()
+        process.join()
+
+
+def _quietly(call: Callable[[], object]) -> None:
+    _unstirred()
+    with suppress(BaseException):
+        call()
+
+
 def _begun(connection: Connection, left: deque[int]) -> int:
     """Have a copy make the next call, and return its number."""
     number = left.popleft()
@@ -84,14 +104,19 @@ def _can_be_copied() -> bool:
 
 
 def _copy(calls: Sequence[Call]) -> tuple[Connection, BaseProcess]:
+    ours, theirs = multiprocessing.Pipe()
+    with theirs:
+        return ours, _started(_answer, calls, theirs)
+
+
+def _started(target: Callable[..., None], *arguments: object) -> BaseProcess:
     context = multiprocessing.get_context("fork")
-    ours, theirs = context.Pipe()
-    process = context.Process(target=_answer, args=(calls, theirs), daemon=True)
-    with theirs, warnings.catch_warnings():
+    process = context.Process(target=target, args=arguments, daemon=True)
+    with warnings.catch_warnings():
         # of threads of libraries, which hold no lock of ours
         warnings.simplefilter("ignore", DeprecationWarning)
         process.start()
-    return ours, process
+    return process
 
 
 def _end(connection: Connection) -> None:
@@ -102,8 +127,7 @@ def _end(connection: Connection) -> None:
 
 def _answer(calls: Sequence[Call], connection: Connection) -> None:
     """Send what each call returns that is asked for, and nothing more once one raises."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the first process
-    signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    _unstirred()
 
     def ask(what: bytes) -> None:
         connection.send_bytes(_ASKS + what)
@@ -112,6 +136,11 @@ def _answer(calls: Sequence[Call], connection: Connection) -> None:
     with suppress(BaseException):
         while (number := connection.recv()) != _NO_MORE:
             connection.send_bytes(_FOUND + calls[number](ask))
+
+
+def _unstirred() -> None:
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the first process
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
 
 
 def _received(connection: Connection) -> bytes | None:

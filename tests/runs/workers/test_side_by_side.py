@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from repro.runs.workers.side_by_side import Ask, side_by_side
+from repro.runs.workers.side_by_side import Ask, beside, side_by_side
 
 
 @pytest.fixture(autouse=True)
@@ -112,3 +112,28 @@ def test_what_cannot_be_done_for_a_call_ends_all() -> None:
     with pytest.raises(KeyError):
         side_by_side([asks, asks], 2, do)
     assert all_have_ended()
+
+
+def test_a_call_beside_is_made_meanwhile_and_ends_with_the_block(tmp_path: Path) -> None:
+    made = tmp_path / "made"
+
+    def call() -> None:
+        made.write_text(str(os.getpid()), encoding="utf-8")
+        made.rename(tmp_path / "whole")
+        time.sleep(600)
+
+    with beside(call):
+        while not (tmp_path / "whole").exists():
+            time.sleep(0.01)
+        (child,) = multiprocessing.active_children()
+    assert (tmp_path / "whole").read_text(encoding="utf-8") == str(child.pid)
+    assert multiprocessing.active_children() == []
+
+
+def test_what_a_call_beside_raises_is_its_own(capfd: pytest.CaptureFixture[str]) -> None:
+    def call() -> None:
+        raise KeyError
+
+    with beside(call):
+        assert all_have_ended()
+    assert capfd.readouterr() == ("", "")
