@@ -207,6 +207,13 @@ GOALS = (
         unit="",
     ),
     Goal(
+        says="memory that a run more adds: 10^7 runs would take 100 MB",
+        section="Studies of many runs",
+        column="memory a run [B]",
+        bound=10,
+        unit=" B",
+    ),
+    Goal(
         says="runs of the mission's papers at 10 repeats",
         section=_RUNS,
         where={"repeats": "10"},
