@@ -1,5 +1,6 @@
 """Every command over streams that break: it does what it does, and ends with the same code."""
 
+import shutil
 from pathlib import Path
 
 import pytest
@@ -30,15 +31,21 @@ CALLS = {
 COMMANDS = [(name, *arguments) for name, arguments in CALLS.items()]
 
 
-def made(folder: Path) -> Path:
-    """Return a folder with a store, its pages and an impossible table."""
+@pytest.fixture(scope="module")
+def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return a folder with a store, its pages and an impossible table, of which each has a copy."""
+    folder = tmp_path_factory.mktemp("made")
     (folder / "table.csv").write_text("F,Best,Mean,Worst\nF1,2.0,1.0,3.0\n", encoding="utf-8")
     return with_pages(folder)
 
 
 @pytest.fixture(scope="module")
-def unspoilt(tmp_path_factory: pytest.TempPathFactory) -> list[Said]:
-    return called(made(tmp_path_factory.mktemp("unspoilt")), *COMMANDS)
+def unspoilt(made: Path, tmp_path_factory: pytest.TempPathFactory) -> list[Said]:
+    return called(copied(made, tmp_path_factory.mktemp("unspoilt")), *COMMANDS)
+
+
+def copied(folder: Path, to: Path) -> Path:
+    return shutil.copytree(folder, to, dirs_exist_ok=True)
 
 
 def test_every_command_is_called() -> None:
@@ -56,9 +63,9 @@ def test_commands_do_work_before_their_streams_are_spoilt(unspoilt: list[Said]) 
 @pytest.mark.parametrize("kind", ["left", "full", "closed"])
 @pytest.mark.parametrize("numbers", ["1", "2", "0 1 2"])
 def test_a_broken_stream_changes_no_exit_code_and_makes_no_traceback(
-    tmp_path: Path, unspoilt: list[Said], kind: str, numbers: str
+    tmp_path: Path, made: Path, unspoilt: list[Said], kind: str, numbers: str
 ) -> None:
-    broken = called(made(tmp_path), *COMMANDS, spoil=f"{kind} {numbers}")
+    broken = called(copied(made, tmp_path), *COMMANDS, spoil=f"{kind} {numbers}")
 
     assert [said.code for said in broken] == [said.code for said in unspoilt]
     assert not [said for said in broken if "Traceback" in said.out + said.err]
