@@ -32,6 +32,10 @@ F2,Mean,N/A,2.00E+00
 F2,Worst,7.00E+00,2.50E+00
 F2,Std,-1.00E+00,9.00E+00
 """
+EMPTY = """() => {
+  document.getElementById("asked").reset();
+  for (const name of ["answer", "state"]) document.getElementById(name).replaceChildren();
+}"""
 
 
 class Quiet(SimpleHTTPRequestHandler):
@@ -70,9 +74,9 @@ def sources() -> dict[str, bytes]:
     return found
 
 
-@pytest.fixture
-def page(chromium: "Browser", manual: str) -> Iterator[Visit]:
-    """Yield the page on a phone, with Python loaded."""
+@pytest.fixture(scope="module")
+def loaded(chromium: "Browser", manual: str) -> Iterator[Visit]:
+    """Yield the page on a phone, with Python loaded: that takes longer than all that is asked."""
     context = chromium.new_context(viewport={"width": 360, "height": 800}, color_scheme="dark")
     one = Visit(context.new_page())
     context.route("**/favicon.ico", lambda route: route.fulfill(status=204))
@@ -83,6 +87,13 @@ def page(chromium: "Browser", manual: str) -> Iterator[Visit]:
     one.page.wait_for_selector("#audit:enabled", timeout=180_000)
     yield one
     context.close()
+
+
+@pytest.fixture
+def page(loaded: Visit) -> Visit:
+    """Return the page with nothing chosen and nothing answered."""
+    loaded.page.evaluate(EMPTY)
+    return loaded
 
 
 def audited(visit: Visit, text: str) -> None:
