@@ -173,9 +173,10 @@ def browser(session: nox.Session) -> None:
     """Look at the pages in Chromium: by mouse, by keyboard, without script, on a phone, printed."""
     _install(session, "browser")
     environment = {**TESTING, "REPRO_BROWSER": _chromium(session)}
-    # one file holds most of these tests, and all share one folder of pages
-    spread = (*SPREAD, "--dist", "worksteal")
-    session.run("pytest", "-m", "browser", *spread, *session.posargs, env=environment)
+    # one file holds most of these tests, and tests of one view of a paper share its open pages
+    spread = (*SPREAD, "--dist", "loadgroup")
+    asked = session.posargs or ("tests/browser",)
+    session.run("pytest", "-m", "browser", *spread, *asked, env=environment)
 
 
 @nox.session

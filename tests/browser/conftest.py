@@ -16,7 +16,7 @@ from tests.browser.made_pages import make_pages
 from tests.made_once import made_once
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Browser, Page
+    from playwright.sync_api import Browser, BrowserContext, Page
 
 QUIET = (
     *("--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking"),
@@ -28,6 +28,9 @@ DRAWN = (*PAPERS, "how-verdicts-are-made")
 PAGES = (*DRAWN, "index")
 """Each stands for all pages whose names begin with it: of a paper the door and its rooms."""
 PHONE = 360  # px
+VIEWS = ("light", "dark", "phone")
+ALONE = ("test_audit_page", "test_arm", "test_questions")
+"""Files of tests that look at pages of their own."""
 OWN = ("file:", "data:", "about:")
 
 
@@ -45,10 +48,27 @@ Rooms = dict[str, Visit]
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Mark every test of this folder, so that a session without a browser can leave it out."""
-    for item in items:
-        if Path(__file__).parent in item.path.parents:
-            item.add_marker("browser")
+    """Mark every test of this folder, so that a session without a browser can leave it out.
+
+    One worker sees all tests of a view, which it opens once. While the first makes the pages,
+    others have the files that need none of them; what is short comes last.
+    """
+    own = [item for item in items if Path(__file__).parent in item.path.parents]
+    for item in own:
+        item.add_marker("browser")
+        if group := _group(item):
+            item.add_marker(pytest.mark.xdist_group(group))
+    views = [view for view in dict.fromkeys(map(_group, own)) if view and view not in ALONE]
+    order = (*views[:1], *ALONE, *views[1:], "")
+    others = [item for item in items if item not in set(own)]
+    items[:] = [*others, *sorted(own, key=lambda item: order.index(_group(item)))]
+
+
+def _group(item: pytest.Item) -> str:
+    """Return the view that a test looks at, or its file if that has pages of its own."""
+    params = item.callspec.params if hasattr(item, "callspec") else {}
+    view = next((f"{view} {params[view]}" for view in VIEWS if view in params), "")
+    return view or (item.path.stem if item.path.stem in ALONE else "")
 
 
 @pytest.fixture(scope="session")
@@ -100,13 +120,18 @@ def reports(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @contextmanager
 def opening(chromium: "Browser", reports: Path) -> Iterator[Open]:
-    """Yield what opens a page by its address in the folder; options are a browser context's."""
-    contexts = []
+    """Yield what opens a page by its address in the folder; options are a browser context's.
+
+    Pages with the same options share a context, which takes longer to open than they do.
+    """
+    contexts: dict[object, BrowserContext] = {}
 
     def opened(address: str, *, width: int = 1280, **options: Any) -> Visit:  # noqa: ANN401
-        context = chromium.new_context(viewport={"width": width, "height": 900}, **options)
-        contexts.append(context)
-        one = Visit(context.new_page())
+        wanted = (width, *options.items())
+        if wanted not in contexts:
+            size = {"width": width, "height": 900}
+            contexts[wanted] = chromium.new_context(viewport=size, **options)
+        one = Visit(contexts[wanted].new_page())
         one.page.on("console", lambda message: one.complaints.extend(_of_the_page(message.text)))
         one.page.on("pageerror", lambda error: one.complaints.append(str(error)))
         one.page.on("request", lambda request: one.requests.append(request.url))
@@ -114,7 +139,7 @@ def opening(chromium: "Browser", reports: Path) -> Iterator[Open]:
         return one
 
     yield opened
-    for context in contexts:
+    for context in contexts.values():
         context.close()
 
 
@@ -142,17 +167,17 @@ def opened_in(
         yield {name: opened(name, width=width, **options) for name in names(reports, page)}
 
 
-# of the module, so that pytest runs together what looks at the same view
-@pytest.fixture(scope="module", params=PAGES)
+# of the session, so that pytest runs together what looks at the same view
+@pytest.fixture(scope="session", params=PAGES)
 def light(request: pytest.FixtureRequest, chromium: "Browser", reports: Path) -> Iterator[Rooms]:
     yield from opened_in(chromium, reports, request.param, 1280)
 
 
-@pytest.fixture(scope="module", params=PAGES)
+@pytest.fixture(scope="session", params=PAGES)
 def dark(request: pytest.FixtureRequest, chromium: "Browser", reports: Path) -> Iterator[Rooms]:
     yield from opened_in(chromium, reports, request.param, 1280, color_scheme="dark")
 
 
-@pytest.fixture(scope="module", params=PAGES)
+@pytest.fixture(scope="session", params=PAGES)
 def phone(request: pytest.FixtureRequest, chromium: "Browser", reports: Path) -> Iterator[Rooms]:
     yield from opened_in(chromium, reports, request.param, PHONE)
