@@ -67,10 +67,15 @@ def dotted(source: Path) -> str:
 
 
 MODULES = {dotted(source): source for source in ENGINE}
-BELOW = {
-    name: {module for module in imported(source) if module in MODULES} - {name, "repro"}
-    for name, source in MODULES.items()
-}
+
+
+@cache
+def below() -> dict[str, set[str]]:
+    """Return what each module imports of the engine; every worker would wait for a constant."""
+    return {
+        name: {module for module in imported(source) if module in MODULES} - {name, "repro"}
+        for name, source in MODULES.items()
+    }
 
 
 def room(module: str) -> str:
@@ -90,11 +95,11 @@ def test_engine_and_papers_are_found() -> None:
 
 def test_a_room_imports_only_rooms_below_it() -> None:
     upward = [
-        (module, below)
-        for module, names in BELOW.items()
+        (module, other)
+        for module, names in below().items()
         if module != "repro"
-        for below in names
-        if ROOMS.index(room(below)) > ROOMS.index(room(module))
+        for other in names
+        if ROOMS.index(room(other)) > ROOMS.index(room(module))
     ]
 
     assert upward == []
@@ -103,13 +108,13 @@ def test_a_room_imports_only_rooms_below_it() -> None:
 def test_pages_are_made_of_judgements_and_not_of_the_store() -> None:
     store = ("repro.runs.store", "repro.runs.session", "repro.runs.gather")
 
-    readers = [name for name, below in BELOW.items() if any(b.startswith(store) for b in below)]
+    readers = [name for name, found in below().items() if any(b.startswith(store) for b in found)]
 
     assert [name for name in readers if room(name) not in {"runs", "commands"}] == []
 
 
 def test_no_module_is_part_of_a_circle() -> None:
-    waiting = dict(BELOW)
+    waiting = dict(below())
     while free := [name for name, below in waiting.items() if not below & waiting.keys()]:
         for name in free:
             del waiting[name]

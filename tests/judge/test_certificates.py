@@ -15,6 +15,7 @@ from repro.model.tolerances import Percent
 from repro.optimisers import WOA
 from repro.robotics import MinimumTime, cubic, quintic
 from repro.tables.published import PublishedTable
+from tests.budgets import examples
 from tests.robotics.test_rest_to_rest import TWO, problems
 from tests.small_papers import EXPERIMENT, PAPER
 
@@ -24,12 +25,6 @@ TIMES = PublishedTable.read("""
     guess     || 2.0    | 2.0    | 4.0
     wide      || 3.0    | 2.5    | 5.5
 """)
-
-
-def examples(few: int) -> int:
-    """Return a few, because an example takes milliseconds; as many as are asked for in `fuzz`."""
-    asked = settings.default.max_examples if settings.default else few
-    return few if asked <= 200 else asked
 
 
 def moving(problem: MinimumTime) -> Paper:
@@ -89,7 +84,6 @@ def test_binding_is_the_limit_that_would_have_to_be_raised() -> None:
     assert found.at == pytest.approx((15.0, 7.5))
 
 
-@settings(max_examples=examples(50))
 @given(problems())
 def test_certificate_is_never_beaten_by_a_grid_of_durations_that_obey(
     problem: MinimumTime,

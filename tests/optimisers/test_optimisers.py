@@ -33,6 +33,7 @@ from repro.optimisers.search import (
     hands_to_search,
 )
 from tests.additions import ADDITIONS, SLIME, SLIME_DETAILS, SLIME_PARTS, SLIME_TOGETHER, TOGETHER
+from tests.budgets import examples
 from tests.small_problems import OFF_CENTRE, Small, small
 
 EVERY = (
@@ -76,7 +77,7 @@ def test_evaluations_are_those_of_the_source(optimiser: Optimiser, evaluations: 
 
 
 @each_optimiser
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=examples(10), deadline=None)
 @given(budget=st.integers(100, 900))
 def test_budget_of_evaluations_is_never_exceeded_and_never_half_used(
     optimiser: Optimiser, budget: int

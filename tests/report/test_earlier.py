@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from repro.__main__ import main
 from repro.errors import InputError
 from repro.report.earlier import check_folder, keep_earlier, unreadable
+from tests.budgets import examples
 from tests.small_papers import PAPER, let_be_known
 
 OTHER = replace(PAPER, key="other2021")
@@ -167,7 +168,7 @@ JSON = st.recursive(
 )
 
 
-@settings(max_examples=60)
+@settings(max_examples=examples(20))
 @given(content=st.binary(max_size=60) | JSON.map(lambda value: json.dumps(value).encode()))
 def test_whatever_stands_there_is_refused_or_set_aside_whole(content: bytes) -> None:
     with tempfile.TemporaryDirectory() as name:

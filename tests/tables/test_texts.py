@@ -12,6 +12,7 @@ from repro.tables.grids import grid
 from repro.tables.headings import runs_in, statistics_in
 from repro.tables.numbers import NoNumber, number_form
 from repro.tables.texts import Form, form_of, tables_in
+from tests.budgets import examples
 
 CSV = "F,Algorithm,Best,Mean,Worst,Std\nF1,WOA,1.0,2.0,3.0,0.5\n,PSO,1.5,2.5,3.5,0.6\n"
 FORMS: dict[Form, str] = {
@@ -163,7 +164,7 @@ def test_too_many_cells_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
         tables_in("1,2\n" * 301, "separated")
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(20), deadline=None)
 @given(st.text(alphabet="|&\\<>tdr{}a1.5e-,;\t\n \"'±()", max_size=200), st.sampled_from([*FORMS]))
 def test_no_text_stops_the_reader(text: str, form: Form) -> None:
     for table in audit_text(text, AuditOptions(), form=form):

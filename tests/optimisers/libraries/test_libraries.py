@@ -15,6 +15,7 @@ from repro.functions import FUNCTIONS
 from repro.optimisers import Problem, Result
 from repro.optimisers.libraries import BASELINES, CMAES, ScipySLSQP
 from repro.optimisers.libraries.budget import WORST, BudgetSpent, CountedCost, release, until_spent
+from tests.budgets import examples
 from tests.small_problems import KERNELS, OFF_CENTRE, Small, small
 
 Vector = NDArray[np.float64]
@@ -62,7 +63,7 @@ def run(name: str, problem: Problem, *, seed: int = 1, **budget: int) -> Result:
 
 
 @each_baseline
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=examples(6), deadline=None)
 @given(population=st.integers(1, 40), evaluations=st.integers(40, 500))
 def test_budget_is_spent_in_whole_iterations_and_never_exceeded(
     name: str, population: int, evaluations: int

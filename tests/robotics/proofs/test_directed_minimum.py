@@ -1,6 +1,7 @@
 """The least time of splines whose limits differ by direction, and a plain search beside it."""
 
 from dataclasses import replace
+from functools import cache
 from itertools import product
 
 import numpy as np
@@ -13,6 +14,8 @@ from repro.robotics import DirectedSpline
 
 Vector = NDArray[np.float64]
 SEEDS = range(6)
+proved = cache(repro.certify)
+"""What several tests compare with is proved once."""
 SCIPY = {"natural": "natural", "still": "clamped"}  # what it calls these ends
 
 
@@ -60,7 +63,7 @@ def slowed(own: DirectedSpline, directions: Vector) -> Vector:
 @pytest.mark.parametrize("seed", SEEDS)
 def test_no_direction_of_a_grid_beats_the_proved_minimum_and_one_comes_near(seed: int) -> None:
     own = problem(seed)
-    found = repro.certify(own)
+    found = proved(own)
     assert found.minimum is not None
 
     sides = np.linspace(0.04, 1.0, 60 if own.segments == 3 else 600)
@@ -99,7 +102,7 @@ def test_mirrored_motion_with_swapped_limits_takes_the_same_time(seed: int) -> N
         velocity=swapped(own.velocity),
         acceleration=swapped(own.acceleration),
     )
-    one, two = repro.certify(own), repro.certify(mirrored)
+    one, two = proved(own), repro.certify(mirrored)
 
     assert one.minimum == pytest.approx(two.minimum, rel=1e-9)
 
@@ -108,7 +111,7 @@ def test_mirrored_motion_with_swapped_limits_takes_the_same_time(seed: int) -> N
 def test_motion_run_backwards_with_swapped_velocities_takes_the_same_time(seed: int) -> None:
     own = problem(seed)
     back = replace(own, nodes=own.nodes[::-1], velocity=swapped(own.velocity))
-    one, two = repro.certify(own), repro.certify(back)
+    one, two = proved(own), repro.certify(back)
 
     assert one.minimum == pytest.approx(two.minimum, rel=5e-6)
 
@@ -121,7 +124,7 @@ def test_a_tighter_limit_on_one_side_never_makes_a_motion_faster(kind: str, side
         limits = [list(pair) for pair in getattr(own, kind)]
         for pair in limits:
             pair[side] *= 0.6
-        before, after = repro.certify(own), repro.certify(replace(own, **{kind: limits}))  # type: ignore[arg-type]
+        before, after = proved(own), repro.certify(replace(own, **{kind: limits}))  # type: ignore[arg-type]
         assert before.lower_bound is not None
         assert after.minimum is not None
         assert after.minimum >= before.lower_bound

@@ -23,7 +23,7 @@ from repro.robotics.proofs.limit_pool import Limits
 from repro.robotics.proofs.limit_rows import exact
 from repro.robotics.proofs.proved import GAP
 from repro.robotics.proofs.spline_minimum import _obeys, prove
-from tests.robotics.proofs.test_directed_minimum import SCIPY, pairs
+from tests.robotics.proofs.test_directed_minimum import SCIPY, pairs, proved
 
 Vector = NDArray[np.float64]
 SEEDS = range(6)
@@ -87,7 +87,7 @@ def test_one_segment_takes_the_longest_that_one_of_its_limits_asks(ends: Ends, j
 @pytest.mark.parametrize("segments", [2, 3])
 def test_minimum_is_proved_and_jerk_holds_it_up(seed: int, segments: int) -> None:
     own = problem(seed, segments)
-    found, free = repro.certify(own), repro.certify(replace(own, jerk=None))
+    found, free = proved(own), proved(replace(own, jerk=None))
 
     assert found.minimum is not None
     assert found.minimum > 1.001 * (free.minimum or 9e9)
@@ -99,7 +99,7 @@ def test_minimum_is_proved_and_jerk_holds_it_up(seed: int, segments: int) -> Non
 @pytest.mark.parametrize("seed", SEEDS)
 def test_jerk_limit_that_never_binds_changes_nothing(seed: int) -> None:
     own = replace(problem(seed), jerk=((-1e9, 1e9),) * 2)
-    one, two = repro.certify(own), repro.certify(replace(own, jerk=None))
+    one, two = proved(own), proved(replace(own, jerk=None))
 
     assert one.minimum == pytest.approx(two.minimum, rel=2 * NEAR)
     assert one.lower_bound == pytest.approx(two.lower_bound, rel=2 * NEAR)
@@ -131,7 +131,7 @@ def sampled(own: DirectedSpline, durations: Vector, samples: int = 25) -> Vector
 @pytest.mark.parametrize("seed", SEEDS)
 def test_no_search_of_scipy_beats_the_bound_and_one_comes_near_the_motion(seed: int) -> None:
     own = problem(seed, 2 + seed % 2)
-    found = repro.certify(own)
+    found = proved(own)
     assert found.minimum is not None
     assert found.lower_bound is not None
     assert sampled(own, np.array(found.at), 2001).min() > 0.0
@@ -214,7 +214,7 @@ def test_motion_mirrored_or_run_backwards_takes_the_same_time(
     seed: int, turned: Callable[[DirectedSpline], DirectedSpline]
 ) -> None:
     own = problem(seed)
-    one, two = repro.certify(own), repro.certify(turned(own))
+    one, two = proved(own), repro.certify(turned(own))
 
     assert one.minimum == pytest.approx(two.minimum, rel=GAP)
 
@@ -227,7 +227,7 @@ def test_short_and_long_motions_are_proved_alike(longer: float) -> None:
         for power, kind in enumerate(("velocity", "acceleration", "jerk"), start=1)
     }
     box = (own.durations[0] * longer, own.durations[1] * longer)
-    one, two = repro.certify(own), repro.certify(replace(own, **limits, durations=box))  # type: ignore[arg-type]
+    one, two = proved(own), repro.certify(replace(own, **limits, durations=box))  # type: ignore[arg-type]
 
     assert one.minimum is not None
     assert two.minimum == pytest.approx(longer * one.minimum, rel=GAP)
@@ -239,7 +239,7 @@ def test_a_tighter_jerk_limit_never_makes_a_motion_faster(side: int, seed: int) 
     tighter = [list(pair) for pair in own.jerk or ()]
     for pair in tighter:
         pair[side] *= 0.6
-    before, after = repro.certify(own), repro.certify(replace(own, jerk=tighter))  # type: ignore[arg-type]
+    before, after = proved(own), repro.certify(replace(own, jerk=tighter))  # type: ignore[arg-type]
 
     assert after.minimum is not None
     assert after.minimum >= (before.lower_bound or 9e9)

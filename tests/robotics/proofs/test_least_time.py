@@ -2,11 +2,12 @@
 
 import math
 from dataclasses import replace
+from functools import cache
 from itertools import count
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from repro.determinism.compiled import COST, ready
@@ -32,6 +33,8 @@ SMALL = MinimumTimeSpline(
     durations=(0.001, 10.0),
     ends="still",
 )
+proved = cache(least_time)
+"""What several tests compare with is proved once."""
 
 
 def turned(seed: int, ends: Ends) -> MinimumTimeSpline:
@@ -64,13 +67,12 @@ def test_small_motions_are_proved_to_a_millionth(seed: int, ends: Ends) -> None:
     assert ready(problem.kernel, COST)(np.array(found.at), problem.data) == found.attained
 
 
-@settings(max_examples=30)
 @given(st.lists(st.floats(0.1, 1.0), min_size=4, max_size=4))
 def test_no_direction_obeys_in_less_than_the_bound(direction: list[float]) -> None:
     scaled = replace(SMALL, handling="time scaling")
     total = scaled.obeying(np.array(direction)).sum()
 
-    assert total >= (least_time(SMALL).lower_bound or math.inf)
+    assert total >= (proved(SMALL).lower_bound or math.inf)
 
 
 @pytest.mark.parametrize("power", [-3, 0, 5])
@@ -84,13 +86,13 @@ def test_fast_and_slow_splines_are_proved_alike(power: int) -> None:
     )
     found = least_time(scaled)
 
-    assert found.minimum == pytest.approx(by * (least_time(SMALL).minimum or 0.0), rel=2e-6)
+    assert found.minimum == pytest.approx(by * (proved(SMALL).minimum or 0.0), rel=2e-6)
     assert found.gap is not None
     assert found.gap < 2e-6
 
 
 def test_proof_that_is_cut_short_has_bounds_and_no_minimum() -> None:
-    whole, cut = least_time(SMALL), least_time(SMALL, ticking(40))
+    whole, cut = proved(SMALL), least_time(SMALL, ticking(40))
 
     assert cut.minimum is None
     assert cut.lower_bound is not None
@@ -122,7 +124,7 @@ def test_search_tells_how_far_it_is() -> None:
 
 
 def test_durations_of_a_spline_stay_in_the_box() -> None:
-    free = least_time(SMALL)
+    free = proved(SMALL)
     shortest = 1.2 * min(free.at)
     boxed = replace(SMALL, durations=(shortest, 10.0))
     found = least_time(boxed)
@@ -134,7 +136,7 @@ def test_durations_of_a_spline_stay_in_the_box() -> None:
 
 
 def test_box_in_which_no_spline_obeys_is_proved_to_be_one() -> None:
-    free = least_time(SMALL)
+    free = proved(SMALL)
     found = least_time(replace(SMALL, durations=(0.001, 0.5 * max(free.at))))
 
     assert (found.minimum, found.lower_bound, found.attained, found.at) == (None, None, None, ())

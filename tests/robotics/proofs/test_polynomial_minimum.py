@@ -13,6 +13,7 @@ from repro.robotics.proofs.least_time import least_time
 from repro.robotics.proofs.polynomial_minimum import polynomial_minimum
 from repro.robotics.proofs.proved import FREE, LeastTime
 from repro.robotics.proofs.watch import ENDLESS, Watch
+from tests.budgets import examples
 from tests.robotics.proofs.test_least_time import ticking
 from tests.robotics.test_rest_to_rest import problems
 
@@ -34,7 +35,7 @@ def pairs(limits: tuple[float, ...]) -> tuple[tuple[float, float], ...]:
     return tuple((-limit, limit) for limit in limits)
 
 
-@settings(max_examples=60)
+@settings(max_examples=examples(20))
 @given(problems())
 def test_motion_from_rest_to_rest_takes_what_the_closed_form_says(problem: MinimumTime) -> None:
     assert isinstance(problem.law, RestToRestLaw)
@@ -49,7 +50,6 @@ def test_motion_from_rest_to_rest_takes_what_the_closed_form_says(problem: Minim
     assert proved(general).minimum == pytest.approx(least_time(problem).minimum, rel=1e-8)
 
 
-@settings(max_examples=100)
 @given(SPEEDS, SPEEDS, st.sampled_from([3, 5, 7]))
 def test_what_is_shown_obeys_and_what_is_a_little_shorter_does_not(
     start: tuple[float, float], end: tuple[float, float], degree: int
@@ -65,7 +65,7 @@ def test_what_is_shown_obeys_and_what_is_a_little_shorter_does_not(
         assert not problem.obeys(shorter)
 
 
-@settings(max_examples=60)
+@settings(max_examples=examples(20))
 @given(SPEEDS, SPEEDS, st.floats(0.02, 0.999))
 def test_no_duration_below_the_bound_obeys(
     start: tuple[float, float], end: tuple[float, float], share: float
@@ -137,7 +137,7 @@ def test_polynomials_of_any_odd_degree_are_proved(degree: int) -> None:
     assert found.gap < 1e-6
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=examples(10), deadline=None)
 @given(st.floats(-15.0, 15.0), SPEEDS, st.sampled_from([FREE, TWO.durations]))
 def test_limits_scaled_by_powers_of_c_scale_times_by_its_inverse(
     power: float, start: tuple[float, float], box: tuple[float, float]

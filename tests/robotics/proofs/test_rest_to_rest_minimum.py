@@ -2,7 +2,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from papers.liang2026 import FANUC
@@ -14,14 +14,11 @@ from repro.robotics.proofs.least_time import least_time
 from repro.robotics.rest_to_rest import peaks
 from tests.robotics.test_rest_to_rest import TWO, cost, problems
 
-THOUSAND = settings(max_examples=1000)
-
 
 def test_shortest_motion_of_the_fanuc_obeys_its_own_limits() -> None:
     assert FANUC.kernel(FANUC.shortest(), FANUC.data) == pytest.approx(4.478245)
 
 
-@THOUSAND
 @given(problems())
 def test_certified_optimum_obeys_in_doubles(problem: MinimumTime) -> None:
     found = least_time(problem)
@@ -33,7 +30,6 @@ def test_certified_optimum_obeys_in_doubles(problem: MinimumTime) -> None:
         assert (peaks(problem, found.at, m) <= limits).all()
 
 
-@THOUSAND
 @given(problems())
 def test_what_is_shown_is_longer_than_the_bound_by_a_few_roundings(problem: MinimumTime) -> None:
     found = least_time(problem)
@@ -45,7 +41,6 @@ def test_what_is_shown_is_longer_than_the_bound_by_a_few_roundings(problem: Mini
     assert not problem.obeys(np.array(found.at) * (1 - 1e-14))
 
 
-@THOUSAND
 @given(problems(), st.tuples(*[st.floats(0.0, 9.0)] * 3))
 def test_least_cost_under_fixed_penalties_is_what_its_durations_cost(
     problem: MinimumTime, penalties: tuple[float, float, float]

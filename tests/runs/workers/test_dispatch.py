@@ -18,6 +18,7 @@ from repro.runs.plan import Task, plan
 from repro.runs.run import Record, execute
 from repro.runs.workers import dispatch
 from repro.runs.workers.dispatch import run_all
+from tests.budgets import examples
 from tests.small_papers import EXPERIMENT, PAPER, Failing, Guessing, searching
 
 TASKS = plan([replace(PAPER, experiments=(replace(EXPERIMENT, runs=50),))], 1)
@@ -43,7 +44,7 @@ def same(first: Record, second: Record) -> bool:
     )
 
 
-@settings(deadline=None, max_examples=60)
+@settings(deadline=None, max_examples=examples(20))
 @given(st.integers(0, len(TASKS)), st.integers(1, 6), st.sampled_from([0.0, 0.001, 10.0]))
 def test_every_task_is_run_exactly_once(count: int, workers: int, batch_seconds: float) -> None:
     records = kept(TASKS[:count], workers, batch_seconds)

@@ -13,14 +13,11 @@ from repro.runs.workers.pickling import pack, stripped, unpack
 from tests.small_papers import Guessing, searching
 from tests.small_problems import small
 
-FIRST = {
-    (task.paper, task.experiment, task.problem, task.algorithm): task
-    for task in plan(all_papers().values(), 1)
-}
-
 
 def test_every_task_of_every_paper_comes_back_as_it_was() -> None:
-    tasks = tuple(FIRST.values())
+    every = plan(all_papers().values(), 1)
+    first = {(task.paper, task.experiment, task.problem, task.algorithm): task for task in every}
+    tasks = tuple(first.values())
 
     for before, after in zip(tasks, unpack(pack(tasks)), strict=True):
         assert after.name == before.name
