@@ -4,6 +4,7 @@ HYPOTHESIS_PROFILE is "tests", "faults" or "fuzz"; REPRO_FAULTS is "long" for th
 the faults.
 """
 
+import gc
 import os
 from collections import Counter
 
@@ -20,6 +21,17 @@ settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "tests"))
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Begin with the longest file, lest one worker ends alone with it."""
     items.sort(key=lambda item: item.get_closest_marker("full_size") is None)
+
+
+def pytest_collection() -> None:
+    """Collect some thousands of tests without looking for garbage among them."""
+    gc.disable()
+
+
+def pytest_collection_finish() -> None:
+    """Let no later look for garbage pass over them either."""
+    gc.freeze()
+    gc.enable()
 
 
 def pytest_make_parametrize_id(val: object, argname: str) -> str | None:

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any, NoReturn
 
 import pytest
 
-from repro.commands.catalogue import all_papers
 from tests.browser.made_pages import make_pages
+from tests.house import PAPERS as HOUSE
 from tests.made_once import made_once
 
 if TYPE_CHECKING:
@@ -23,7 +23,7 @@ QUIET = (
     *("--disable-component-update", "--disable-sync"),
 )
 KNOWN = ("chromium", "chromium-browser", "google-chrome")
-PAPERS = (*all_papers(), "doe2021")
+PAPERS = (*HOUSE, "doe2021")
 DRAWN = (*PAPERS, "how-verdicts-are-made")
 PAGES = (*DRAWN, "index")
 """Each stands for all pages whose names begin with it: of a paper the door and its rooms."""

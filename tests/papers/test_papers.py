@@ -10,7 +10,6 @@ from pathlib import Path
 
 import pytest
 
-from repro.commands.catalogue import all_papers
 from repro.errors import DeclarationError
 from repro.model.claims import CellClaim
 from repro.model.contract import contract_faults
@@ -18,10 +17,10 @@ from repro.model.experiment import Experiment
 from repro.model.paper import Paper
 from repro.runs.readings import claims_under, readings
 from repro.tables.published import WORDS, Printed, PublishedTable
+from tests.house import PAPERS
 
 ROOT = Path(__file__).parents[2]
 SECOND_READING = Path(__file__).parents[1] / "second_reading"
-PAPERS = all_papers()
 
 # Files of the second reading that no table of the paper module stands for, with the reason.
 NOT_DECLARED = {

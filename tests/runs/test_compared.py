@@ -6,8 +6,9 @@ from repro.commands.catalogue import all_papers
 from repro.optimisers.random_search import RandomSearch
 from repro.runs.compared import Compared, beside, narrowed, recalled, remember
 from repro.runs.plan import plan
+from tests.house import PAPERS
 
-WITH_RUNS = [key for key, paper in all_papers().items() if paper.experiments]
+WITH_RUNS = [key for key, paper in PAPERS.items() if paper.experiments]
 
 
 @pytest.mark.parametrize("key", WITH_RUNS)

@@ -35,6 +35,7 @@ from repro.runs.store.store import Store
 from repro.runs.studies import studies
 from repro.runs.workers.dispatch import run_all
 from tests.damages import LONG
+from tests.house import PAPERS
 from tests.small_papers import EXPERIMENT, PAPER
 from tests.small_stores import timeless
 
@@ -99,7 +100,7 @@ def spread(tasks: Sequence[Task], executor: Executor, workers: int) -> Content:
     return content(records)
 
 
-KEYS = ("everything", *all_papers())
+KEYS = ("everything", *PAPERS)
 
 
 @pytest.mark.faults

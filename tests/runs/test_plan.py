@@ -16,6 +16,7 @@ from repro.model.paper import Paper
 from repro.runs.plan import Task, plan
 from repro.runs.studies import studies
 from tests.determinism.edited_packages import forget
+from tests.house import PAPERS
 from tests.small_papers import EXPERIMENT, PAPER, Bowl, Guessing, searching
 
 KERNEL = """
@@ -195,7 +196,7 @@ def test_less_than_one_repeat_is_refused(repeats: int) -> None:
         plan([PAPER], repeats)
 
 
-@pytest.mark.parametrize("key", all_papers())
+@pytest.mark.parametrize("key", PAPERS)
 def test_plan_of_a_paper_has_the_sizes_that_it_declares(key: str) -> None:
     paper = all_papers()[key]
 
