@@ -174,7 +174,7 @@ def browser(session: nox.Session) -> None:
     _install(session, "browser")
     environment = {**TESTING, "REPRO_BROWSER": _chromium(session)}
     # one file holds most of these tests, and tests of one view of a paper share its open pages
-    spread = (*SPREAD, "--dist", "loadgroup")
+    spread = (*SPREAD, "--dist", "loadscope")
     asked = session.posargs or ("tests/browser",)
     session.run("pytest", "-m", "browser", *spread, *asked, env=environment)
 

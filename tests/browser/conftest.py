@@ -2,6 +2,7 @@
 
 import importlib
 import os
+import re
 import shutil
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -10,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
 import pytest
+from xdist.scheduler import LoadScopeScheduling
 
 from tests.browser.made_pages import make_pages
 from tests.house import PAPERS as HOUSE
@@ -29,6 +31,7 @@ PAGES = (*DRAWN, "index")
 """Each stands for all pages whose names begin with it: of a paper the door and its rooms."""
 PHONE = 360  # px
 VIEWS = ("light", "dark", "phone")
+"""Fixtures, whose names stand in those of their tests."""
 ALONE = ("test_audit_page", "test_arm", "test_questions")
 """Files of tests that look at pages of their own."""
 OWN = ("file:", "data:", "about:")
@@ -50,25 +53,36 @@ Rooms = dict[str, Visit]
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Mark every test of this folder, so that a session without a browser can leave it out.
 
-    One worker sees all tests of a view, which it opens once. While the first makes the pages,
-    others have the files that need none of them; what is short comes last.
+    While a worker makes the pages for the first view, others have the files that need none of
+    them; what is short comes last.
     """
     own = [item for item in items if Path(__file__).parent in item.path.parents]
     for item in own:
         item.add_marker("browser")
-        if group := _group(item):
-            item.add_marker(pytest.mark.xdist_group(group))
-    views = [view for view in dict.fromkeys(map(_group, own)) if view and view not in ALONE]
-    order = (*views[:1], *ALONE, *views[1:], "")
+    groups = dict.fromkeys(group_of(item.nodeid) for item in own)
+    views = [group for group in groups if group.startswith(VIEWS)]
+    ranks = {group: rank for rank, group in enumerate((*views[:1], *ALONE, *views[1:]))}
     others = [item for item in items if item not in set(own)]
-    items[:] = [*others, *sorted(own, key=lambda item: order.index(_group(item)))]
+    own.sort(key=lambda item: ranks.get(group_of(item.nodeid), len(ranks)))
+    items[:] = [*others, *own]
 
 
-def _group(item: pytest.Item) -> str:
-    """Return the view that a test looks at, or its file if that has pages of its own."""
-    params = item.callspec.params if hasattr(item, "callspec") else {}
-    view = next((f"{view} {params[view]}" for view in VIEWS if view in params), "")
-    return view or (item.path.stem if item.path.stem in ALONE else "")
+def group_of(nodeid: str) -> str:
+    """Return the view that a test looks at, its file if that has pages of its own, or itself."""
+    view = re.search(rf"\[((?:{'|'.join(VIEWS)}) .*)\]$", nodeid)
+    stem = Path(nodeid.partition("::")[0]).stem
+    return view[1] if view else stem if stem in ALONE else nodeid
+
+
+# xdist 3.8 cannot do it by its marks: it names groups in a field that pytest 9.2 no longer has
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log: object) -> Any:  # noqa: ANN401 (xdist's)
+    """Return what gives one worker all tests of a view, if tests are dealt out by scope."""
+    if config.getvalue("dist") != "loadscope":
+        return None
+    scheduler = LoadScopeScheduling(config, log)
+    scheduler._split_scope = group_of
+    return scheduler
 
 
 @pytest.fixture(scope="session")
@@ -168,16 +182,16 @@ def opened_in(
 
 
 # of the session, so that pytest runs together what looks at the same view
-@pytest.fixture(scope="session", params=PAGES)
+@pytest.fixture(scope="session", params=PAGES, ids="light {}".format)
 def light(request: pytest.FixtureRequest, chromium: "Browser", reports: Path) -> Iterator[Rooms]:
     yield from opened_in(chromium, reports, request.param, 1280)
 
 
-@pytest.fixture(scope="session", params=PAGES)
+@pytest.fixture(scope="session", params=PAGES, ids="dark {}".format)
 def dark(request: pytest.FixtureRequest, chromium: "Browser", reports: Path) -> Iterator[Rooms]:
     yield from opened_in(chromium, reports, request.param, 1280, color_scheme="dark")
 
 
-@pytest.fixture(scope="session", params=PAGES)
+@pytest.fixture(scope="session", params=PAGES, ids="phone {}".format)
 def phone(request: pytest.FixtureRequest, chromium: "Browser", reports: Path) -> Iterator[Rooms]:
     yield from opened_in(chromium, reports, request.param, PHONE)

@@ -33,7 +33,7 @@ MOST_STOPS = 12  # of the Tab key
 HEAVIEST = 600_000  # bytes of a page
 CLICKED = ("https://doi.org/", "https://arxiv.org/")  # what a reader may follow
 
-of_papers = pytest.mark.parametrize("light", PAPERS, indirect=True)
+of_papers = pytest.mark.parametrize("light", PAPERS, indirect=True, ids="light {}".format)
 
 
 def test_a_paper_has_a_door_and_rooms(reports: Path) -> None:

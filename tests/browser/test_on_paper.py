@@ -12,7 +12,7 @@ SHEETS = 15  # of A4, a page
 A4 = 1032  # px at 96 to the inch: the long side of A4 less the margins of the print style
 
 
-@pytest.mark.parametrize("dark", PAPERS, indirect=True)
+@pytest.mark.parametrize("dark", PAPERS, indirect=True, ids="dark {}".format)
 def test_a_page_prints_on_few_sheets_with_all_its_tables(dark: Rooms) -> None:
     for name, one in dark.items():
         labels = one.page.locator("main h2, main h3").all_inner_texts()
