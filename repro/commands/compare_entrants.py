@@ -10,6 +10,7 @@ import json
 import re
 import sys
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import cache
 from importlib.machinery import ModuleSpec
 from itertools import count
 from pathlib import Path
@@ -167,12 +168,22 @@ def _names_in(path: Path) -> list[str] | None:
 
 def libraries(places: Iterable[str]) -> Mapping[str, str]:
     """Return the version of every library that the modules of searches import, by its name."""
-    owners = importlib.metadata.packages_distributions()
     seen: dict[str, None] = {}
     for place in places:
         _add_imports(place.partition(":")[0], seen)
-    names = {owner for name in seen for owner in owners.get(name.partition(".")[0], ())}
+    names = _owners(frozenset(name.partition(".")[0] for name in seen))
     return {name: importlib.metadata.version(name) for name in sorted(names)}
+
+
+@cache
+def _owners(packages: frozenset[str]) -> frozenset[str]:
+    """Return the libraries that these packages are of.
+
+    Kept by the packages: every installed library is read for it, and one may be installed
+    between two calls.
+    """
+    owners = importlib.metadata.packages_distributions()
+    return frozenset(owner for package in packages for owner in owners.get(package, ()))
 
 
 def _add_imports(module: str, seen: dict[str, None]) -> None:
