@@ -3,14 +3,11 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, ClassVar, Unpack
+from typing import TYPE_CHECKING, Any, ClassVar, Unpack
 
 import numpy as np
-import pytest
 from numpy.typing import NDArray
 
-from repro.commands.catalogue import folders
-from repro.commands.paper_modules import Declared
 from repro.determinism.compiled import jit
 from repro.model.cells import every_cell
 from repro.model.evidence import Cell, Evidence, Runs
@@ -19,6 +16,9 @@ from repro.model.paper import Paper, Source
 from repro.model.tolerances import Percent
 from repro.optimisers.search import Budget, Optimiser, Problem, Result
 from repro.tables.published import PublishedTable
+
+if TYPE_CHECKING:
+    import pytest
 
 Vector = NDArray[np.float64]
 
@@ -106,8 +106,12 @@ LOST = f"ValueError: lost the way (small_papers.py, line {_line_of('raise ValueE
 """What is said of a run of `Failing`."""
 
 
-def let_be_known(monkeypatch: pytest.MonkeyPatch, *papers: Paper) -> None:
+def let_be_known(monkeypatch: "pytest.MonkeyPatch", *papers: Paper) -> None:
     """Let the command line know these papers alone, as if they were this house's."""
+    # not above, since every worker process that runs a search of a small paper loads this file
+    from repro.commands.catalogue import folders  # noqa: PLC0415
+    from repro.commands.paper_modules import Declared  # noqa: PLC0415
+
     folder = Path(folders()[0]).resolve()
     known = [Declared(paper=each, place=folder / f"{each.key}.py") for each in papers]
     monkeypatch.setattr("repro.commands.catalogue.known", lambda: known)
