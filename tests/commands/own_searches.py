@@ -30,6 +30,14 @@ def standing_in(
     sys.modules.pop("mine", None)
 
 
+def let_be_trusted(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let no run be made again to see whether it comes out, in three processes for a search.
+
+    For what is no matter of that; `test_compare_cases` holds what is.
+    """
+    monkeypatch.setattr("repro.commands.comparing.probed", lambda *_: [])
+
+
 def results(name: str) -> dict[str, Any]:
     """Return what a comparison wrote for programs."""
     found: dict[str, Any] = json.loads(Path(f"reports-private/{name}.json").read_text())

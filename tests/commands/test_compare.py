@@ -108,12 +108,3 @@ def test_failed_runs_are_named_with_exit_code_1_and_on_the_page(run: Run) -> Non
     assert "repro: run small2020/search/bowl/lost/1/3 failed: ValueError: no way" in err
     assert "Traceback" not in err
     assert "no way" in page("lost.html")
-
-
-def test_name_can_open_no_tag(run: Run) -> None:
-    run("compare", "mine:centre", "--workers", "1", "--name", "<img src=x>|*")
-
-    assert "<img" not in page("img-src-x.html")
-    assert "&lt;img src=x&gt;|*" in page("img-src-x.html")
-    assert "<img" not in page("img-src-x.md")
-    assert "&amp;lt;" not in page("img-src-x.md")

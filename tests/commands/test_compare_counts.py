@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from repro.__main__ import main
-from tests.commands.own_searches import Run, results, standing_in
+from tests.commands.own_searches import Run, let_be_trusted, results, standing_in
 from tests.small_papers import EXPERIMENT, PAPER
 
 MODULE = """
@@ -57,6 +57,7 @@ def run(
         code = main(("compare", *arguments, "--workers", "1", "--quiet"))
         return (code, *capfd.readouterr())
 
+    let_be_trusted(monkeypatch)
     with standing_in(tmp_path, monkeypatch, module=MODULE, paper=SHORT):
         yield command
 

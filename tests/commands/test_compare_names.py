@@ -1,5 +1,6 @@
 """What searches may be called: a page of its own for each name, or one line."""
 
+import html
 import json
 import re
 import tempfile
@@ -17,7 +18,7 @@ from repro.__main__ import main
 from repro.commands.compare_entrants import check_name, stem
 from repro.errors import InputError
 from repro.report.escapes import csv_value
-from tests.commands.own_searches import Run, standing_in
+from tests.commands.own_searches import Run, let_be_trusted, standing_in
 from tests.hostile import ragged, tags
 from tests.small_papers import PAPER
 
@@ -56,6 +57,7 @@ def write(folder: Path, names: Sequence[str]) -> str:
 @example(found=[["own.md"], ["own"]])
 @example(found=[["cafe\u0301"], ["café"], ["ﬁ"], ["fi"]])
 @example(found=[["results.json"], ["x"]])
+@example(found=[["a_b"], ["a-b"], ["<a b>"], ["<a;b>"], ["results"]])
 def test_no_two_comparisons_share_a_file_on_any_disk(found: list[list[str]]) -> None:
     asked = {tuple(names): None for names in found if all(map(allowed, names))}
     with tempfile.TemporaryDirectory() as name:
@@ -69,6 +71,10 @@ def test_no_two_comparisons_share_a_file_on_any_disk(found: list[list[str]]) -> 
         for each in called.values():
             assert re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9._-]{0,120}", each)
         assert not (folder / "results.json").exists()
+
+
+def test_a_page_has_the_plain_name_of_its_search(tmp_path: Path) -> None:
+    assert [write(tmp_path, [name]) for name in ("a_b", "a-b")] == ["a_b", "a-b"]
 
 
 def test_files_of_somebody_else_under_a_name_are_left(tmp_path: Path) -> None:
@@ -112,7 +118,10 @@ def test_a_page_is_whole_whatever_its_search_is_called(run: Run) -> None:
                                                          "__pycache__"}  # fmt: skip
 
 
-def test_no_name_of_a_search_is_markup_a_link_or_a_formula(run: Run) -> None:
+def test_no_name_of_a_search_is_markup_a_link_or_a_formula(
+    run: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    let_be_trusted(monkeypatch)
     found = {}
     for name in ("x", '"><img src=x onerror=alert(1)>', "[x](javascript:alert(1))", "a\\|b`c`*d*",
                  "{{ 7 * 7 }}{% raw %}", "=1+1", "$\\frac{$_^"):  # fmt: skip
@@ -122,8 +131,10 @@ def test_no_name_of_a_search_is_markup_a_link_or_a_formula(run: Run) -> None:
 
         assert code == 0, err
         assert found[name] == found["x"], name
+        assert name in html.unescape(page.read_text()), name
         twin = page.with_suffix(".md").read_text()
         assert not re.search(r"\]\(javascript:|<img|<script", twin), name
+        assert "&amp;lt;" not in twin, name
         assert ragged(twin) == [], name
         column = pd.read_csv(page.with_suffix(".csv"))["algorithm"]
         assert {*column} == {csv_value(name)}

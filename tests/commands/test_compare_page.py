@@ -10,7 +10,7 @@ import pytest
 from repro.__main__ import main
 from repro.functions import FUNCTIONS
 from repro.optimisers import WOA
-from tests.commands.own_searches import Run, results, standing_in
+from tests.commands.own_searches import Run, let_be_trusted, results, standing_in
 from tests.small_papers import EXPERIMENT, PAPER
 from tests.small_stores import change
 from tests.unlinked import unlinked
@@ -48,6 +48,7 @@ def run(
         code = main((*arguments, *alone))
         return (code, *capfd.readouterr())
 
+    let_be_trusted(monkeypatch)
     with standing_in(tmp_path, monkeypatch, module=MODULE, paper=CENTRED):
         yield command
 
