@@ -34,7 +34,7 @@ def compiling_ahead(*groups: Sequence[Task]) -> AbstractContextManager[None]:
     run of the first group, then of the next. Each finds in the folder what the other has compiled.
     """
     folder = compiled.KEPT
-    known = folder is None or any(folder.glob(f"{_FOLDER}_*/*.nbi"))
+    known = not groups or folder is None or any(folder.glob(f"{_FOLDER}_*/*.nbi"))
     if known or usable_cores() < 2:
         return nullcontext()
     return beside(partial(_compile, groups))

@@ -48,8 +48,9 @@ def run(options: Namespace) -> int:
         )
         return failed, results
 
+    here = () if options.dask else (at_first, tasks)
     # a copy that is made before the store is locked cannot hold the lock
-    with terminable(), compiling_ahead(at_first, tasks), Store(options.store, say=warn) as store:
+    with terminable(), compiling_ahead(*here), Store(options.store, say=warn) as store:
         failed, results = mended(store, work)
     for record in failed:
         warn(f"run {record.task.name} failed: {record.reason}")

@@ -63,6 +63,15 @@ def test_nothing_is_compiled_ahead_where_searches_are_compiled(
     assert made == []
 
 
+def test_nothing_is_compiled_here_for_runs_that_are_made_elsewhere(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr(compiled, "KEPT", tmp_path)
+    monkeypatch.setattr(compiled_code, "beside", pytest.fail)
+    with compiling_ahead():
+        pass
+
+
 def test_a_copy_whose_process_died_compiles_nothing_more(
     made: list[Task], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:

@@ -1,12 +1,14 @@
 """Every command over streams that break: it does what it does, and ends with the same code."""
 
 import shutil
+from itertools import product
 from pathlib import Path
 
 import pytest
 
 from repro.commands.arguments import _TEXTS
 from tests.commands.forked import Said, called
+from tests.damages import LONG
 from tests.small_stores import with_pages
 
 STORE = ("--store", "store")
@@ -60,8 +62,13 @@ def test_commands_do_work_before_their_streams_are_spoilt(unspoilt: list[Said]) 
     assert {name for name, code in codes.items() if code == 1} == {"audit"}
 
 
-@pytest.mark.parametrize("kind", ["left", "full", "closed"])
-@pytest.mark.parametrize("numbers", ["1", "2", "0 1 2"])
+# each stream and each way to break it once; at length all of them
+WAYS = [("left", "1"), ("full", "2"), ("closed", "0 1 2")]
+EVERY_WAY = list(product(("left", "full", "closed"), ("1", "2", "0 1 2")))
+
+
+@pytest.mark.faults
+@pytest.mark.parametrize(("kind", "numbers"), EVERY_WAY if LONG else WAYS)
 def test_a_broken_stream_changes_no_exit_code_and_makes_no_traceback(
     tmp_path: Path, made: Path, unspoilt: list[Said], kind: str, numbers: str
 ) -> None:
