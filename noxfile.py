@@ -22,12 +22,10 @@ nox.options.reuse_venv = "yes"
 ONE_THREAD = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
 # tests start many processes, which load faster what is compiled once
 TESTING = {**ONE_THREAD, "PYTHONDONTWRITEBYTECODE": ""}
-# a worker more than there are cores, as tests wait for programs that they start; the longest file
-# comes first, and a file's tests share what they make once; numbers of a machine under load are no
-# benchmarks
-WORKERS = str((os.cpu_count() or 1) + 1)
+# the longest file comes first, and a file's tests share what they make once; numbers of a machine
+# under load are no benchmarks
 SPREAD = (
-    *("-n", WORKERS, "--dist", "loadfile", "--no-loadscope-reorder", "--benchmark-disable"),
+    *("-n", "auto", "--dist", "loadfile", "--no-loadscope-reorder", "--benchmark-disable"),
     "--durations=20",
 )
 LOCKS = {
