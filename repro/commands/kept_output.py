@@ -29,6 +29,7 @@ from repro.runs.whole_files import read_file
 FOLDER = "kept"
 GROUP = "repro.papers"
 MADE_OF = "made-of.json"
+_NAMES = "surrogateescape"  # a folder may have a name that is no text
 _KEY = re.compile(r"\w+")  # anything else may be a path
 _PROCESSOR = re.compile(r"^(?:model name|model|flags|Features|CPU \w+)\t*:.*$", re.MULTILINE)
 
@@ -56,7 +57,7 @@ def told(options: Namespace) -> bool:
     name = _name(options)
     content = find(_store(options) / FOLDER, name) if name else None
     if content is not None:
-        sys.stdout.write(content.decode())
+        sys.stdout.write(content.decode(errors=_NAMES))
     return content is not None
 
 
@@ -64,7 +65,7 @@ def tell(options: Namespace, text: str) -> None:
     """Print the output of a call that went well, and keep it for when nothing changed."""
     sys.stdout.write(text)
     if name := "" if getattr(options, "faulty", False) else _name(options):
-        keep(_store(options) / FOLDER, name, text.encode())
+        keep(_store(options) / FOLDER, name, text.encode(errors=_NAMES))
 
 
 def _sources(options: Namespace) -> str:

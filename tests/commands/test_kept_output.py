@@ -1,3 +1,4 @@
+import io
 import subprocess
 import sys
 from argparse import Namespace
@@ -47,6 +48,17 @@ def test_what_was_told_is_told_again(asked: Namespace, capsys: pytest.CaptureFix
     tell(asked, SAID)
     assert told(asked)
     assert capsys.readouterr().out == SAID * 2
+
+
+def test_a_folder_whose_name_is_no_text_is_told_again(
+    asked: Namespace, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    printed = io.StringIO()
+    monkeypatch.setattr("sys.stdout", printed)
+    told(asked)
+    tell(asked, "pages: \udcff\n")
+    assert told(asked)
+    assert printed.getvalue() == "pages: \udcff\n" * 2
 
 
 @of("asked_else", [{"keys": ["small2020"]}, {"repeats": 2}, {"json": True}])
